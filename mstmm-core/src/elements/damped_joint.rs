@@ -2,7 +2,7 @@
 
 use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix};
 use crate::elements::DampedPlanarHinge;
-use crate::elements::shared::connector::{Tie, chart_of_ties};
+use crate::elements::shared::connector::{chart_of_joint, freedoms_of};
 use crate::elements::shared::damped_ties::DampedTies;
 use crate::model::{FrequencyEstimates, InvalidParameter, Planar};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
@@ -29,9 +29,7 @@ impl<T: Parameter> DampedJoint<T> {
             (None, None) => None,
             (stiffness, damping) => Some([stiffness.unwrap_or(T::zero()), damping.unwrap_or(T::zero())]),
         });
-        let flexible = Freedoms::SINGLE.into_iter().zip(&parts).filter(|(_, part)| part.is_some());
-        let rigid = flexible.fold(freedoms, |rigid, (freedom, _)| rigid.without(freedom));
-        DampedJoint { rigid, parts, losses }
+        DampedJoint { rigid: freedoms.without(freedoms_of(&parts)), parts, losses }
     }
 
     /// Whether nothing gives way.
@@ -42,8 +40,7 @@ impl<T: Parameter> DampedJoint<T> {
 
     /// The freedoms that it ties.
     pub(crate) fn freedoms(&self) -> Freedoms {
-        let flexible = Freedoms::SINGLE.into_iter().zip(&self.parts).filter(|(_, part)| part.is_some());
-        flexible.fold(self.rigid, |sum, (freedom, _)| sum.union(freedom))
+        self.rigid.union(freedoms_of(&self.parts))
     }
 }
 
@@ -80,11 +77,7 @@ impl<T: Parameter, S: ComplexFrequency<T> + Single> TransferMatrix<S> for Damped
 
 impl<T: Parameter, S: ComplexFrequency<T>> Charted<S> for DampedJoint<T> {
     fn chart(built: &BuiltDampedJoint<T>, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
-        let ties = Freedoms::SINGLE.into_iter().zip(built.flexible.ties).filter_map(|(freedom, tie)| {
-            let flexible = tie.map(|tie| Tie::Elastic(tie.at(at.x)));
-            Some((freedom, flexible.or(built.rigid.contains(freedom).then_some(Tie::Rigid))?))
-        });
-        chart_of_ties(ties)
+        chart_of_joint(built.rigid, built.flexible.ties.map(|tie| tie.map(|tie| tie.at(at.x))))
     }
 }
 

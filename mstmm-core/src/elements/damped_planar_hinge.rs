@@ -1,6 +1,7 @@
 //! A hinge with damping in planar motion.
 
 use crate::element::{Element, TransferMatrix};
+use crate::elements::planar_hinge::hinge_matrix;
 use crate::elements::shared::damped_ties::DampedTies;
 #[cfg(test)]
 use crate::elements::shared::damped_ties::by_compliance;
@@ -54,10 +55,7 @@ impl<T: Parameter> Element for DampedPlanarHinge<T> {
 
 impl<T: Parameter, S: ComplexFrequency<T> + Single> TransferMatrix<S> for DampedPlanarHinge<T> {
     fn transfer_matrix(built: &DampedTies<T>, x: S) -> Matrix6<S> {
-        let [of_x, of_y, rotation] = built.compliances(x);
-        let mut u = Matrix6::identity();
-        (u[(0, 4)], u[(1, 5)], u[(2, 3)]) = (-of_x, -of_y, rotation);
-        u
+        hinge_matrix(built.compliances(x))
     }
 
     fn denominator(built: &DampedTies<T>, x: S) -> Option<S> {

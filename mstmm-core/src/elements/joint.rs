@@ -3,7 +3,8 @@
 use crate::element::{
     Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, TransferMatrix,
 };
-use crate::elements::shared::connector::{Tie, chart_of_ties};
+use crate::elements::planar_hinge::hinge_matrix;
+use crate::elements::shared::connector::{chart_of_joint, freedoms_of};
 use crate::elements::shared::line_forms::half;
 use crate::elements::{ElasticHinge, PlanarHinge};
 use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar, Requirement};
@@ -56,9 +57,7 @@ impl<T> Joint<T> {
 
     /// A joint with springs along x, along y and about z where a stiffness is given. It is rigid in the other `freedoms`.
     pub fn hinge(freedoms: Freedoms, stiffness: [Option<T>; 3]) -> Self {
-        let elastic = Freedoms::SINGLE.into_iter().zip(&stiffness).filter(|(_, stiffness)| stiffness.is_some());
-        let rigid = elastic.fold(freedoms, |rigid, (freedom, _)| rigid.without(freedom));
-        Joint { rigid, elastic: stiffness }
+        Joint { rigid: freedoms.without(freedoms_of(&stiffness)), elastic: stiffness }
     }
 }
 
@@ -85,19 +84,9 @@ impl<T> From<PlanarHinge<T>> for Joint<T> {
 }
 
 impl<T: Parameter> Joint<T> {
-    /// What ties each freedom.
-    fn ties<S: Frequency<T>>(&self) -> impl Iterator<Item = (Freedoms, Tie<S>)> + Clone {
-        let Joint { rigid, elastic } = *self;
-        Freedoms::SINGLE.into_iter().zip(elastic).filter_map(move |(freedom, stiffness)| {
-            let elastic = stiffness.map(|stiffness| Tie::Elastic(S::from_parameter(stiffness)));
-            Some((freedom, elastic.or(rigid.contains(freedom).then_some(Tie::Rigid))?))
-        })
-    }
-
     /// The freedoms that it ties.
     pub(crate) fn freedoms(&self) -> Freedoms {
-        let elastic = Freedoms::SINGLE.into_iter().zip(&self.elastic).filter(|(_, stiffness)| stiffness.is_some());
-        elastic.fold(self.rigid, |sum, (freedom, _)| sum.union(freedom))
+        self.rigid.union(freedoms_of(&self.elastic))
     }
 }
 
@@ -126,20 +115,14 @@ impl<T: Parameter> Element for Joint<T> {
 impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Joint<T> {
     /// That of a [`PlanarHinge`], without compliances where it is rigid. What it does not tie has rows and columns, too, which no path takes.
     fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
-        let [x, y, rotation] = built
-            .elastic
-            .map(|stiffness| stiffness.map_or(S::zero(), |stiffness| S::from_parameter(T::one() / stiffness)));
-        let mut u = Matrix6::identity();
-        u[(0, 4)] = -x;
-        u[(1, 5)] = -y;
-        u[(2, 3)] = rotation;
-        u
+        let compliance = |stiffness: T| S::from_parameter(T::one() / stiffness);
+        hinge_matrix(built.elastic.map(|stiffness| stiffness.map_or(S::zero(), compliance)))
     }
 }
 
 impl<T: Parameter, S: Frequency<T>> Charted<S> for Joint<T> {
     fn chart(built: &Self, _at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
-        chart_of_ties(built.ties())
+        chart_of_joint(built.rigid, built.elastic.map(|stiffness| stiffness.map(S::from_parameter)))
     }
 }
 

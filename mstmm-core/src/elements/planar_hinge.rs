@@ -37,12 +37,17 @@ impl<T: Parameter> Element for PlanarHinge<T> {
 
 impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PlanarHinge<T> {
     fn transfer_matrix(built: &Self, _x: S) -> Matrix6<S> {
-        let mut u = Matrix6::identity();
-        u[(0, 4)] = -S::from_parameter(compliance(built.stiffness_x));
-        u[(1, 5)] = -S::from_parameter(compliance(built.stiffness_y));
-        u[(2, 3)] = S::from_parameter(compliance(built.stiffness_theta));
-        u
+        let stiffness = [built.stiffness_x, built.stiffness_y, built.stiffness_theta];
+        hinge_matrix(stiffness.map(|stiffness| S::from_parameter(compliance(stiffness))))
     }
+}
+
+/// The transfer matrix of a hinge from its compliances along x, along y and about z.
+#[inline(always)]
+pub(crate) fn hinge_matrix<S: Single>([x, y, rotation]: [S; 3]) -> Matrix6<S> {
+    let mut u = Matrix6::identity();
+    (u[(0, 4)], u[(1, 5)], u[(2, 3)]) = (-x, -y, rotation);
+    u
 }
 
 #[cfg(test)]

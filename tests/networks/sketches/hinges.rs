@@ -1,7 +1,7 @@
 //! Hinges between places: zero lets go, and a derivative tells what the first stiffness does.
 
 use super::{assert_near, eigenvalues, frequencies};
-use mstmm::frame::{Frame, Hinge, Section};
+use mstmm::frame::{Frame, Hinge, Member, OfJoint, Plane, Section};
 use mstmm::network::Support;
 use mstmm::prelude::*;
 
@@ -44,8 +44,8 @@ fn the_first_stiffness_has_a_derivative() {
     assert!((derivative - difference).abs() < 1e-6 * derivative, "{derivative} {difference}");
 }
 
-#[test]
-fn a_hinge_of_a_frame_lets_go_at_zero() {
+/// The portal at run time with its two hinges, and the member that the first hinge is.
+fn framed([first, second]: [Hinge; 2]) -> (Frame<Plane>, Member<OfJoint>) {
     let steel = Section::new().axial_stiffness(900.0).bending_stiffness(2.0).mass_per_length(1.5);
     let mut frame = Frame::new();
     let places = [[0.0, 0.0], [0.0, 1.0], [0.0, 1.0], [1.3, 1.1], [1.3, 1.1], [1.3, 0.0]];
@@ -53,10 +53,16 @@ fn a_hinge_of_a_frame_lets_go_at_zero() {
     frame.hold(foot, Support::Fixed);
     frame.hold(far, Support::Fixed);
     frame.member(foot, left, steel);
-    frame.member(left, from, Hinge::new().stiffness_rz(0.0));
+    let hinge = frame.member(left, from, first);
     frame.member(from, to, steel);
-    frame.member(to, right, Hinge::new().stiffness_rz(0.0));
+    frame.member(to, right, second);
     frame.member(right, far, steel);
+    (frame, hinge)
+}
+
+#[test]
+fn a_hinge_of_a_frame_lets_go_at_zero() {
+    let (frame, _) = framed([Hinge::new().stiffness_rz(0.0); 2]);
     assert_near(&frequencies(&Pinned {}.build().unwrap()), &frequencies(&frame.build().unwrap()), 1e-15);
 }
 
@@ -188,18 +194,9 @@ fn damped_hinges_of_paths_are_those_between_places() {
 /// A damped hinge of a frame at run time.
 #[test]
 fn damped_hinges_of_frames_are_those_of_sketches() {
-    let steel = Section::new().axial_stiffness(900.0).bending_stiffness(2.0).mass_per_length(1.5);
     let Damped { k, d, c } = DAMPED;
-    let mut frame = Frame::new();
-    let places = [[0.0, 0.0], [0.0, 1.0], [0.0, 1.0], [1.3, 1.1], [1.3, 1.1], [1.3, 0.0]];
-    let [foot, left, from, to, right, far] = places.map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
-    frame.hold(far, Support::Fixed);
-    frame.member(foot, left, steel);
-    let hinge = frame.member(left, from, Hinge::new().stiffness_rz(k).damping_rz(d).kelvin_voigt_time(c));
-    frame.member(from, to, steel);
-    frame.member(to, right, Hinge::new().damping_rz(2.0 * d).stiffness_x(40.0 * k));
-    frame.member(right, far, steel);
+    let first = Hinge::new().stiffness_rz(k).damping_rz(d).kelvin_voigt_time(c);
+    let (mut frame, hinge) = framed([first, Hinge::new().damping_rz(2.0 * d).stiffness_x(40.0 * k)]);
     assert!(frame.build().is_err());
     let built = frame.build_damped().unwrap();
     let [one, other] = [eigenvalues(&DAMPED.build().unwrap()), eigenvalues(&built)];

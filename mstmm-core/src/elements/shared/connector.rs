@@ -30,9 +30,24 @@ pub(crate) fn connector<S: Scalar>(kappa: S, freedoms: Freedoms) -> Chart<S> {
     chart_of_ties(core::iter::once((freedoms, Tie::Elastic(kappa))))
 }
 
+/// The freedoms in which something is given.
+pub(crate) fn freedoms_of<P>(parts: &[Option<P>; 3]) -> Freedoms {
+    let given = Freedoms::SINGLE.into_iter().zip(parts).filter(|(_, part)| part.is_some());
+    given.fold(Freedoms::NONE, |sum, (freedom, _)| sum.union(freedom))
+}
+
+/// The chart of a joint: of a dynamic stiffness in each freedom that has one, rigid in others.
+pub(crate) fn chart_of_joint<S: Scalar>(rigid: Freedoms, stiffness: [Option<S>; 3]) -> Chart<S> {
+    let ties = Freedoms::SINGLE.into_iter().zip(stiffness).filter_map(|(freedom, kappa)| {
+        let tie = kappa.map(Tie::Elastic).or(rigid.contains(freedom).then_some(Tie::Rigid));
+        Some((freedom, tie?))
+    });
+    chart_of_ties(ties)
+}
+
 /// The chart of ties of single freedoms, which stand in the order x, y, rz: of each over the displacement of the first end and the force
 /// at the second, `[[0, -1], [-1, -1/κ]]`. A stiff one loses nothing, as it would among stiffnesses.
-pub(crate) fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie<S>)> + Clone) -> Chart<S> {
+fn chart_of_ties<S: Scalar>(ties: impl Iterator<Item = (Freedoms, Tie<S>)> + Clone) -> Chart<S> {
     let freedoms = ties.clone().fold(Freedoms::NONE, |sum, (freedom, _)| sum.union(freedom));
     let softest = |is_rotation: bool| {
         let exponents = ties.clone().filter_map(|(freedom, tie)| match tie {

@@ -129,7 +129,8 @@ impl<S: Scalar> ChartsOfEqual<S> {
         if !Y::Parameter::IS_ITS_WORDS || matches!(numbers, MemberNumbers::Other) {
             return network.chart(member, at, length);
         }
-        // the numbers have the length rounded, the frequency may have more digits
+        // the numbers have the length rounded, the frequency may have more digits; a joint that lets go and one that does not tie have the
+        // same numbers, and other freedoms
         let is_equal = |(other, other_length, _): &&(usize, S, Chart<S>)| {
             *other_length == length
                 && all[*other] == *numbers
