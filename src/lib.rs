@@ -146,7 +146,8 @@ pub mod element {
 pub mod number {
     pub use mstmm_core::{
         Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, EvenWaves, Frequency, InLanes, Magnitude,
-        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, WaveFunctions,
+        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, Value,
+        WaveFunctions,
     };
 }
 

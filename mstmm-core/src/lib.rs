@@ -95,9 +95,12 @@ pub use number::frequency::{
 pub use number::frequency_powers::FrequencyPowers;
 pub use number::packed::InLanes;
 pub use number::partials::Partials;
+#[doc(hidden)]
+pub use number::products::Products;
 pub use number::scalar::{LONGEST_IN_LANES, Scalar, Single};
 pub use number::scaled::{Magnitude, Scaled};
 pub use number::truth::{Size, Truth};
+pub use number::value::Value;
 pub use number::wave_functions::{WaveFunctions, WaveProducts};
 pub use pass::at_once::InBlocks;
 pub use pass::characteristic::{Characteristic, System};
@@ -123,9 +126,10 @@ pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
 pub use proof::visit::{Visitor, visit_steps};
 pub use structure::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
-pub use structure::factor::{Factor, NodeUnknowns};
+pub use structure::factor::Factor;
 pub use structure::member::{MemberLoad, MemberStiffness};
 pub use structure::memory::StructureScalar;
+pub use structure::node_unknowns::{MotionUnknown, NodeUnknowns};
 pub use subspace::connecting::Connecting;
 pub use subspace::count::{Held, NoCount, RootCounter, WittrickWilliams};
 pub use subspace::minors::covector::Covector;

@@ -14,5 +14,6 @@ mod responses;
 mod sensitivities;
 mod sketched;
 mod supports;
+mod ties;
 mod trusses;
 mod uniform_loads;

@@ -2,6 +2,7 @@
 
 use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
+use crate::number::products::Products;
 use crate::number::scalar::{Scalar, single};
 use crate::number::truth::Size;
 use crate::number::wave_functions::WaveFunctions;
@@ -66,13 +67,25 @@ impl<T: Real> Scalar for Complex<T> {
 
     #[inline]
     fn product(self, other: Self) -> Self {
-        let re = T::sum_of_products([self.re, other.re], [-self.im, other.im]);
-        Complex::new(re, T::sum_of_products([self.re, other.im], [self.im, other.re]))
+        let [re, im] = T::complex_product([self.re, self.im], [other.re, other.im]);
+        Complex::new(re, im)
+    }
+
+    #[inline]
+    fn quotient(self, other: Self) -> Self {
+        let [re, im] = T::complex_quotient([self.re, self.im], [other.re, other.im]);
+        Complex::new(re, im)
+    }
+
+    #[inline(always)]
+    fn less_product<P: Products>(self, a: Self, b: Self) -> Self {
+        let [re, im] = T::minus_complex_product::<P>([self.re, self.im], [a, b].map(|factor| [factor.re, factor.im]));
+        Complex::new(re, im)
     }
 
     #[inline]
     fn times_real(self, real: Self) -> Self {
-        Complex::new(self.re * real.re, self.im * real.re)
+        Complex::new(self.re.times_real(real.re), self.im.times_real(real.re))
     }
 
     #[inline(always)]

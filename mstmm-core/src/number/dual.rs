@@ -4,14 +4,12 @@ mod operators;
 
 use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
-use crate::number::scalar::{Scalar, short_wave_products_and_slopes};
+use crate::number::products::Products;
+use crate::number::scalar::{Scalar, is_long, short_wave_products_and_slopes};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Rem, RemAssign};
 use num_complex::Complex;
 use num_traits::{Num, One, Zero};
-
-/// The unit in the last place of numbers in extended precision is less.
-const EXTENDED: f64 = 1e-20;
 
 /// `value + derivative ε` with `ε² = 0`. Order and equality look at the value alone.
 #[derive(Clone, Copy, Debug, Default)]
@@ -68,7 +66,7 @@ impl<S: Scalar> Dual<S> {
     /// Whether its derivative is seen to vanish: in extended precision, where an operation costs far more than a look.
     #[inline(always)]
     fn is_known_constant(&self) -> bool {
-        S::EPSILON < EXTENDED && self.derivative.is_zero()
+        is_long::<S>() && self.derivative.is_zero()
     }
 }
 
@@ -209,6 +207,20 @@ impl<S: Scalar> Scalar for Dual<S> {
     #[inline(always)]
     fn is_constant_zero(self) -> bool {
         self.value.is_zero() && self.derivative.is_zero()
+    }
+
+    #[inline(always)]
+    fn less_product<P: Products>(self, a: Self, b: Self) -> Self {
+        let value = self.value.less_product::<P>(a.value, b.value);
+        let [a_is_known, b_is_known] = [a, b].map(|factor| factor.is_known_constant());
+        let mut derivative = self.derivative;
+        if !a_is_known {
+            derivative = derivative.less_product::<P>(a.derivative, b.value);
+        }
+        if !b_is_known {
+            derivative = derivative.less_product::<P>(a.value, b.derivative);
+        }
+        Dual { value, derivative }
     }
 
     #[inline]

@@ -1,5 +1,6 @@
 //! The types of parameters and of frequencies.
 
+use crate::number::products::Products;
 use crate::number::scalar::{Scalar, Single};
 use crate::number::wave_functions::WaveFunctions;
 use core::ops::Mul;
@@ -65,10 +66,26 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
         self - self * Self::from_f64(Self::EPSILON)
     }
 
-    /// `ab + cd`.
+    /// The product of two complex numbers, given by their real and their imaginary parts.
     #[inline(always)]
-    fn sum_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a * b + c * d
+    fn complex_product([re, im]: [Self; 2], [other_re, other_im]: [Self; 2]) -> [Self; 2] {
+        [re * other_re - im * other_im, re * other_im + im * other_re]
+    }
+
+    /// The quotient of two complex numbers, given by their real and their imaginary parts.
+    #[inline(always)]
+    fn complex_quotient([re, im]: [Self; 2], [other_re, other_im]: [Self; 2]) -> [Self; 2] {
+        let square = other_re * other_re + other_im * other_im;
+        [(re * other_re + im * other_im) / square, (im * other_re - re * other_im) / square]
+    }
+
+    /// A complex number less a product, with the products of the machine.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn minus_complex_product<P: Products>([re, im]: [Self; 2], factors: [[Self; 2]; 2]) -> [Self; 2] {
+        let [first, second] = factors;
+        let product = Self::complex_product(first, second);
+        [re - product[0], im - product[1]]
     }
 
     /// The wave functions of this number as a part of a complex one.

@@ -2,6 +2,7 @@
 
 pub(crate) mod compiled;
 pub(crate) mod complex;
+pub(crate) mod constants;
 pub(crate) mod double_double;
 pub(crate) mod doubt;
 pub(crate) mod dual;
@@ -18,13 +19,16 @@ pub(crate) mod lanes;
 pub(crate) mod oscillation;
 pub(crate) mod packed;
 pub(crate) mod partials;
+pub(crate) mod products;
 pub(crate) mod scalar;
 pub(crate) mod scaled;
 pub(crate) mod square_waves;
 pub(crate) mod store;
+pub(crate) mod task;
 #[cfg(test)]
 pub(crate) mod tolerance;
 pub(crate) mod truth;
+pub(crate) mod value;
 pub(crate) mod wave_functions;
 pub(crate) mod waves;
 
@@ -45,12 +49,15 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use packed::{InLanes, Packed, Parameters, Part, Task, run};
+pub(crate) use packed::{InLanes, Packed, Parameters};
 pub(crate) use partials::Partials;
-pub(crate) use scalar::{Scalar, Single, series, twice};
+pub(crate) use products::{Operation, Products};
+pub(crate) use scalar::{Scalar, Single, series, twice, with_products};
 pub(crate) use scaled::{Magnitude, Scaled};
 pub(crate) use store::Store;
+pub(crate) use task::{Part, Task, run};
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
 pub(crate) use truth::{Size, Truth};
+pub(crate) use value::Value;
 pub(crate) use wave_functions::{WaveFunctions, WaveProducts};

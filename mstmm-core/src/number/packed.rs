@@ -6,6 +6,7 @@ use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
 use crate::number::frequency::Real;
 use crate::number::scalar::{Scalar, Single};
+use crate::number::value::Value;
 use num_complex::Complex;
 
 /// Numbers of type `T` in lanes, or one of them.
@@ -60,32 +61,6 @@ pub trait InLanes: Single {
 
     /// Numbers in lanes of AVX2.
     type OnAvx2: Packed<Self>;
-}
-
-#[cfg(feature = "std")]
-pub(crate) use mstmm_lanes::{Part, Task, run};
-
-/// A part of work that stands apart.
-#[cfg(not(feature = "std"))]
-pub(crate) trait Part {
-    /// The result.
-    type Output;
-    /// Does it.
-    fn run(self) -> Self::Output;
-}
-
-/// Work on numbers in lanes. Without `std` the instruction sets of the machine cannot be detected.
-#[cfg(not(feature = "std"))]
-pub(crate) trait Task {
-    /// The result.
-    type Output;
-    /// The work one number at a time.
-    fn alone(self) -> Self::Output;
-}
-
-#[cfg(not(feature = "std"))]
-pub(crate) fn run<T: Task>(task: T) -> T::Output {
-    task.alone()
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
@@ -151,4 +126,5 @@ alone! {
     [] DoubleDouble;
     [T: Real] Complex<T>;
     [S: Single] Dual<S>;
+    [S: Single] Value<S>;
 }

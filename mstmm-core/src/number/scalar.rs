@@ -1,6 +1,7 @@
 //! Scalars: the entries of matrices and states.
 
 use crate::number::even_waves::EvenWaves;
+use crate::number::products::{Operation, Products, Split, on_machine};
 use crate::number::truth::{Size, Truth};
 use crate::number::wave_functions::{WaveFunctions, WaveProducts};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -102,6 +103,21 @@ pub trait Scalar:
     #[must_use]
     fn product(self, other: Self) -> Self {
         self * other
+    }
+
+    /// The number less a product, with the products of the machine. Both ways give the same bits.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn less_product<P: Products>(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+
+    /// The quotient, of complex numbers with few roundings.
+    #[inline(always)]
+    #[must_use]
+    fn quotient(self, other: Self) -> Self {
+        self / other
     }
 
     /// The product with a number of geometry, which has neither an imaginary part nor a derivative.
@@ -208,6 +224,21 @@ pub(crate) fn series<S: Scalar>(x: S, first: usize, stride: usize) -> S {
         sum = sum * x + S::reciprocal_factorial(stride * k + first);
     }
     sum
+}
+
+/// The unit in the last place of double-double numbers is less, that of others larger.
+const LONG: f64 = 1e-20;
+
+/// Whether a number is made of double-doubles, of which each operation is many.
+#[inline(always)]
+pub(crate) fn is_long<S: Scalar>() -> bool {
+    S::EPSILON < LONG
+}
+
+/// Does work on numbers: on the instruction set of the machine where each product is many operations.
+#[inline(always)]
+pub(crate) fn with_products<S: Scalar, O: Operation>(operation: O) -> O::Output {
+    if is_long::<S>() { on_machine(operation) } else { operation.by::<Split>() }
 }
 
 /// A scalar that is one number, whose comparisons are plain truths.

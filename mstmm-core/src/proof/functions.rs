@@ -1,8 +1,8 @@
 //! Elementary functions of balls: the argument is reduced by exact products, and [series](crate::proof::series) of the rest are put together
 //! in balls. No function needs a proof of its own rounding.
 
+use crate::number::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::ball::Ball;
-use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::level::Level;
 use crate::proof::number::UNDERFLOW;
 use crate::proof::word::{Word, apart};

@@ -43,8 +43,7 @@
 //! | file | what it has |
 //! |---|---|
 //! | [`word`], [`number`], [`four_words`], [`level`] | an `f64` or several in lanes; numbers of two and of four words, with the bounds of a sum and a product |
-//! | [`ball`], [`series`], [`functions`] | a number with a bound of its error; Taylor series, sine, cosine and exponential of it |
-//! | [`constants`] | π/2, ln 2, 1/n! |
+//! | [`ball`], [`series`], [`functions`] | a number with a bound of its error; Taylor series, sine, cosine and exponential of it, by `number::constants` |
 //! | [`member`] | a stiffness in balls, its border, its count with held ends |
 //! | [`line`], [`bending`], [`general_bending`], [`tapered`] | these of lines, plain beams, general beams, tapered beams |
 //! | [`front`] | T1 and T2: parts are added, variables leave |
@@ -65,7 +64,6 @@ pub(crate) mod bending;
 pub(crate) mod beside;
 pub(crate) mod bisection;
 pub(crate) mod certificate;
-pub(crate) mod constants;
 pub(crate) mod constraint;
 pub(crate) mod count;
 pub(crate) mod disc;

@@ -1,7 +1,7 @@
 //! Taylor series in inverse factorials with fixed bounds: all that rounding may do is added up when the program is compiled.
 
+use crate::number::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::ball::Ball;
-use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::level::Level;
 use crate::proof::number::{U, UNDERFLOW};
 use crate::proof::word::Word;

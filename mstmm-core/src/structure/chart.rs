@@ -1,7 +1,7 @@
 //! Charts of members: their relations between both ends as an element gives them.
 
 use crate::model::EndMotion;
-use crate::number::{Scalar, Scaled, Size, power_of_two};
+use crate::number::{Operation, Products, Scalar, Scaled, Size, power_of_two, with_products};
 use crate::structure::triangle;
 use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
@@ -104,8 +104,8 @@ impl<S: Scalar> Chart<S> {
                     continue;
                 }
                 let count = 2 * self.freedoms.count();
-                let terms = (0..count).map(|other| self.entry(place, other) * values[other]);
-                let gradient = terms.fold(load[place], |sum, term| sum + term);
+                let row = self.row(place);
+                let gradient = load[place] - with_products::<S, _>(Work { row: &row[..count], values });
                 let value = values[place];
                 let [displacement, force] = if self.is_force(place) { [-gradient, value] } else { [value, gradient] };
                 let unit = self.units.of(kind.is(Freedoms::RZ));
@@ -128,9 +128,8 @@ impl<S: Scalar> Chart<S> {
         let inverse = S::one() / pivot;
         for one in (0..count).filter(|one| *one != variable && !row[*one].is_constant_zero()) {
             let factor = row[one] * inverse;
-            for other in (0..=one).filter(|other| *other != variable && !row[*other].is_constant_zero()) {
-                self.set(one, other, self.entry(one, other) - factor * row[other]);
-            }
+            let entries = &mut self.entries[triangle::row(one)..triangle::row(one + 1)];
+            with_products::<S, _>(SubtractRow { entries, factor, row: &row, but: variable });
             self.set(one, variable, if is_force { -factor } else { factor });
         }
         self.set(variable, variable, -inverse);
@@ -156,11 +155,51 @@ impl<S: Scalar> Chart<S> {
     }
 }
 
+/// Subtracts a factor times a row of a matrix from another row, but for one entry.
+struct SubtractRow<'a, S> {
+    entries: &'a mut [S],
+    factor: S,
+    row: &'a [S; MOST_VARIABLES],
+    but: usize,
+}
+
+impl<S: Scalar> Operation for SubtractRow<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn by<P: Products>(self) {
+        for (other, (entry, part)) in self.entries.iter_mut().zip(self.row).enumerate() {
+            if other != self.but && !part.is_constant_zero() {
+                *entry = entry.less_product::<P>(self.factor, *part);
+            }
+        }
+    }
+}
+
+/// The sum of the entries of a row times values, negative.
+struct Work<'a, S> {
+    row: &'a [S],
+    values: &'a [S; MOST_VARIABLES],
+}
+
+impl<S: Scalar> Operation for Work<'_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn by<P: Products>(self) -> S {
+        let mut sum = S::zero();
+        for (entry, value) in self.row.iter().zip(self.values) {
+            if !(entry.is_constant_zero() || value.is_constant_zero()) {
+                sum = sum.less_product::<P>(*entry, *value);
+            }
+        }
+        sum
+    }
+}
+
 /// Where an end of a member is joined.
 #[derive(Clone, Copy, Debug)]
 pub struct JoinedEnd<S> {
-    /// Index of the node.
-    pub(crate) node: usize,
     /// The freedoms that the end does not share with the node.
     pub(crate) released: Freedoms,
     /// Whether its displacements vanish.

@@ -1,9 +1,10 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
-use crate::number::{Scalar, Size};
+use crate::number::{Operation, Products, Scalar, Size, with_products};
+use crate::structure::node_unknowns::{MotionUnknown, NodeUnknowns};
 use crate::structure::tape::Tape;
 use crate::structure::total::Total;
-use crate::structure::triangle::place;
+use crate::structure::triangle::{self, place};
 use crate::structure::units::Units;
 
 /// Size of a pivot beside the largest term of its entry, below which its unknown waits for others to leave: a pivot loses three digits at most.
@@ -30,6 +31,8 @@ pub(crate) struct LoadEverywhere {
 pub(crate) struct Unknown<S> {
     pub(super) number: u32,
     pub(super) is_taken: bool,
+    /// How many nodes have it as a motion and have not left.
+    pub(super) holders: u32,
     /// Whether it leaves as soon as its pivot is large.
     pub(super) waits: bool,
     /// Whether it is a force.
@@ -44,7 +47,16 @@ pub(crate) struct Unknown<S> {
 impl<S: Scalar> Unknown<S> {
     pub(crate) fn none() -> Self {
         let loads = [S::zero(); LOADS];
-        Unknown { number: 0, is_taken: false, waits: false, is_force: false, is_loaded: false, size: 0.0, loads }
+        Unknown {
+            number: 0,
+            is_taken: false,
+            holders: 0,
+            waits: false,
+            is_force: false,
+            is_loaded: false,
+            size: 0.0,
+            loads,
+        }
     }
 }
 
@@ -69,18 +81,29 @@ impl<S: Scalar> Row<S> {
     }
 }
 
-/// The unknowns of a node: its motions.
-#[derive(Clone, Copy, Debug)]
-pub struct NodeUnknowns {
-    pub(crate) first: u32,
-    pub(crate) slots: [u32; 3],
-    pub(crate) count: u32,
-    pub(crate) has_entered: bool,
+/// Subtracts a factor times the entries of a column from a row of the matrix.
+struct Subtract<'a, S> {
+    row: &'a mut [S],
+    factor: S,
+    column: &'a [(S, u32)],
 }
 
-impl NodeUnknowns {
-    /// None yet.
-    pub(crate) const NONE: Self = NodeUnknowns { first: 0, slots: [0; 3], count: 0, has_entered: false };
+impl<S: Scalar> Operation for Subtract<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn by<P: Products>(self) {
+        for (entry, place) in self.column {
+            let sum = &mut self.row[*place as usize];
+            *sum = sum.less_product::<P>(self.factor, *entry);
+        }
+    }
+}
+
+/// Subtracts a factor times the entries of a column from a row of the matrix.
+#[inline(always)]
+fn subtract<S: Scalar>(row: &mut [S], factor: S, column: &[(S, u32)]) {
+    with_products::<S, _>(Subtract { row, factor, column });
 }
 
 /// The elimination of a structure, in memory of the caller's.
@@ -91,6 +114,8 @@ pub struct Factor<'r, S: Scalar> {
     pub(super) unknowns: &'r mut [Unknown<S>],
     /// Number of slots that are in use or were.
     pub(super) width: usize,
+    /// The column of the unknown that leaves: each entry with its row.
+    column: &'r mut [(S, u32)],
     rows: Tape<'r, Row<S>>,
     /// The numbers of all rows, each with the unknown beside it.
     numbers: Tape<'r, (S, u32)>,
@@ -115,9 +140,11 @@ pub struct Factor<'r, S: Scalar> {
 }
 
 impl<'r, S: Scalar> Factor<'r, S> {
-    /// The factor of a structure that nothing has joined, in memory for the matrix and its unknowns, for rows, for their numbers, and for values.
+    /// The factor of a structure that nothing has joined, in memory for the matrix and its unknowns, for one of its columns, for rows, for their
+    /// numbers, and for values.
     pub(super) fn new(
         (entries, unknowns): (&'r mut [S], &'r mut [Unknown<S>]),
+        column: &'r mut [(S, u32)],
         rows: Tape<'r, Row<S>>,
         numbers: Tape<'r, (S, u32)>,
         values: Tape<'r, [S; LOADS]>,
@@ -127,6 +154,7 @@ impl<'r, S: Scalar> Factor<'r, S> {
             entries,
             unknowns,
             width: 0,
+            column,
             rows,
             numbers,
             values,
@@ -195,14 +223,15 @@ impl<S: Scalar> Factor<'_, S> {
         self.is_full |= !has_room;
     }
 
-    /// Lets the motions of a node enter.
-    pub(super) fn enter_node(&mut self, count: usize) -> NodeUnknowns {
-        let mut node =
-            NodeUnknowns { has_entered: true, count: count as u32, first: self.entered, ..NodeUnknowns::NONE };
-        for slot in &mut node.slots[..count] {
-            *slot = self.enter(false).1;
-        }
-        node
+    /// Lets a motion enter.
+    pub(super) fn enter_motion(&mut self) -> MotionUnknown {
+        let (number, slot) = self.enter(false);
+        MotionUnknown { number, slot }
+    }
+
+    /// Notes that a node has an unknown as a motion.
+    pub(crate) fn hold(&mut self, motion: MotionUnknown) {
+        self.unknowns[motion.slot as usize].holders += 1;
     }
 
     /// Adds to an entry, and thereby to its mirror image.
@@ -237,11 +266,15 @@ impl<S: Scalar> Factor<'_, S> {
         if size > 0.0 { size / self.unknowns[slot].size } else { 0.0 }
     }
 
-    /// Lets the motions of a node leave, and what has waited for them, but for those whose pivots are small.
+    /// Lets the motions of a node leave that no other node has, and what has waited for them, but for those whose pivots are small.
     pub(super) fn leave_node(&mut self, node: &NodeUnknowns) {
-        for slot in &node.slots[..node.count as usize] {
-            self.wait(*slot);
-            self.leave_if_large(*slot as usize);
+        for (_, slot) in node.slots() {
+            let unknown = &mut self.unknowns[slot as usize];
+            unknown.holders -= 1;
+            if unknown.holders == 0 {
+                self.wait(slot);
+                self.leave_if_large(slot as usize);
+            }
         }
         while (0..self.width).any(|slot| self.leave_if_large(slot)) {}
     }
@@ -282,44 +315,36 @@ impl<S: Scalar> Factor<'_, S> {
         self.total.pivot(pivot);
         let inverse = S::one() / pivot;
         let is_loaded = loads.map(|load| !load.is_constant_zero());
-        let first = self.numbers.get().len();
         let mut row = Row { number, ..Row::none() };
         for load in (0..LOADS).filter(|load| is_loaded[*load]) {
             row.values[load] = loads[load] * inverse;
             self.works[load] += loads[load] * row.values[load];
         }
-        if !self.begin_row(row) {
+        if self.keeps_rows && !self.begin_row(row) {
             return;
         }
+        let mut count = 0;
         for row in 0..self.width {
             let entry = self.entries[place(row, slot)];
             if !self.unknowns[row].is_taken || entry.is_constant_zero() {
                 continue;
             }
             let factor = entry * inverse;
-            self.push_number(factor, row as u32);
-            for (_, column) in &self.numbers.get()[first..] {
-                let column = *column as usize;
-                let term = factor * self.entries[place(column, slot)];
-                let sum = &mut self.entries[place(row, column)];
-                *sum -= term;
-                if row == column {
-                    let size = &mut self.unknowns[row].size;
-                    *size = size.max(term.size().first());
-                }
-            }
+            subtract(&mut self.entries[triangle::row(row)..], factor, &self.column[..count]);
+            self.column[count] = (entry, row as u32);
+            count += 1;
+            let term = factor * entry;
+            self.entries[place(row, row)] -= term;
+            let unknown = &mut self.unknowns[row];
+            unknown.size = unknown.size.max(term.size().first());
             for load in (0..LOADS).filter(|load| is_loaded[*load]) {
-                self.unknowns[row].loads[load] -= factor * loads[load];
+                unknown.loads[load] -= factor * loads[load];
             }
-        }
-        if !self.keeps_rows {
-            self.rows.clear();
-            self.numbers.clear();
-            return;
-        }
-        // slots are taken again: what is beside is known by its number
-        for (_, beside) in &mut self.numbers.get_mut()[first..] {
-            *beside = self.unknowns[*beside as usize].number;
+            if self.keeps_rows {
+                // slots are taken again: what is beside is known by its number
+                let beside = unknown.number;
+                self.push_number(factor, beside);
+            }
         }
     }
 
@@ -359,8 +384,8 @@ impl<S: Scalar> Factor<'_, S> {
     /// The values of the motions of a node under a load.
     pub(crate) fn values_of(&self, node: &NodeUnknowns, load: usize) -> [S; 3] {
         let mut values = [S::zero(); 3];
-        for (motion, value) in values.iter_mut().enumerate().take(node.count as usize) {
-            *value = self.value(node.first + motion as u32, load);
+        for (value, motion) in values.iter_mut().zip(node.motions) {
+            *value = motion.map_or(S::zero(), |motion| self.value(motion.number, load));
         }
         values
     }

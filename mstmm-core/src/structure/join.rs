@@ -3,8 +3,9 @@
 use crate::model::EndMotion;
 use crate::number::{Scalar, Size, power_of_two};
 use crate::structure::chart::{MOST_FREEDOMS, MOST_VARIABLES};
-use crate::structure::factor::{Factor, NodeUnknowns};
+use crate::structure::factor::Factor;
 use crate::structure::member::{Kind, MemberStiffness};
+use crate::structure::node_unknowns::NodeUnknowns;
 
 /// A usual size of the flexibility of a border, in the units of its chart. It is a border where that is less than 1e-3, and may vanish.
 const FLEXIBILITY: f64 = 1e-6;
@@ -34,9 +35,10 @@ impl<S: Scalar> Sum<S> {
     fn of_end(member: &MemberStiffness<S>, end: usize, freedom: usize, node: &NodeUnknowns) -> Self {
         let power = power_of_two(-member.unit(freedom));
         let mut sum = Sum::none();
-        for (slot, coefficient) in node.slots[..node.count as usize].iter().zip(member.rows[end][freedom]) {
+        for (motion, slot) in node.slots() {
+            let coefficient = member.rows[end][freedom][motion];
             if !coefficient.is_constant_zero() {
-                (sum.slots[sum.count], sum.coefficients[sum.count]) = (*slot, coefficient.scaled(power));
+                (sum.slots[sum.count], sum.coefficients[sum.count]) = (slot, coefficient.scaled(power));
                 sum.count += 1;
             }
         }
@@ -71,11 +73,12 @@ impl<S: Scalar> Factor<'_, S> {
             for (place, row) in rows[end].iter_mut().enumerate().take(freedoms) {
                 let freedom = member.places[place].1;
                 let power = power_of_two(-member.unit(freedom));
-                for (motion, entry) in row.iter_mut().enumerate().take(nodes[end].count as usize) {
+                for (motion, slot) in nodes[end].slots() {
+                    let entry = &mut row[motion];
                     *entry = member.rows[end][freedom][motion].scaled(power);
                     // the unit of a chart is a usual size of its stiffness
                     let size = entry.size().first();
-                    self.note(nodes[end].slots[motion], size * size);
+                    self.note(slot, size * size);
                 }
             }
         }
@@ -113,15 +116,15 @@ impl<S: Scalar> Factor<'_, S> {
 
     /// Adds a block between the motions of two nodes, or its lower triangle on the diagonal.
     fn add_block(&mut self, block: &[[S; MOST_FREEDOMS]; MOST_FREEDOMS], nodes: [&NodeUnknowns; 2], is_diagonal: bool) {
-        for (motion, line) in block.iter().enumerate().take(nodes[0].count as usize) {
-            for (column, entry) in line.iter().enumerate().take(nodes[1].count as usize) {
-                let slots = [nodes[0].slots[motion], nodes[1].slots[column]];
+        for (motion, slot) in nodes[0].slots() {
+            for (column, other) in nodes[1].slots() {
                 if is_diagonal && column > motion {
                     continue;
                 }
+                let entry = block[motion][column];
                 // both ends of the member may be joined to one node
-                let is_double = !is_diagonal && slots[0] == slots[1];
-                self.add(slots[0], slots[1], if is_double { *entry + *entry } else { *entry });
+                let is_double = !is_diagonal && slot == other;
+                self.add(slot, other, if is_double { entry + entry } else { entry });
             }
         }
     }
@@ -187,23 +190,27 @@ impl<S: Scalar> Factor<'_, S> {
         let count = member.count();
         let is_border = |variable: &usize| member.kinds[*variable].is_border();
         for border in (0..count).filter(is_border) {
-            // the rows of (2 - σ) g and of (1 - σ) g
-            let mixed = |variable: usize, times: f64| {
-                let own = member.coupling(border, variable) * S::from_f64(times);
-                (0..count)
-                    .filter(is_border)
-                    .fold(own, |sum, other| sum + member.entry(border, other) * member.coupling(other, variable))
-            };
+            let mut couplings = [S::zero(); MOST_VARIABLES];
+            for (variable, coupling) in couplings.iter_mut().enumerate().take(count) {
+                *coupling = member.coupling(border, variable);
+            }
             for row in 0..count {
-                let twice = mixed(row, 2.0);
+                // the row of (1 - σ) g; with one g more that of (2 - σ) g
+                let once = (0..count).filter(is_border).fold(couplings[row], |sum, other| {
+                    let entry = member.entry(border, other);
+                    if entry.is_constant_zero() { sum } else { sum + entry * member.coupling(other, row) }
+                });
+                let twice = once + couplings[row];
                 for (column, displacement) in displacements.iter().enumerate().take(count) {
-                    // each pair is met twice, and stands twice in the form
-                    let entry = (member.coupling(border, column) * twice).times_power_of_two(-1);
-                    self.add_product(entry, &displacements[row], displacement, false);
+                    if !(couplings[column].is_constant_zero() || twice.is_constant_zero()) {
+                        // each pair is met twice, and stands twice in the form
+                        let entry = (couplings[column] * twice).times_power_of_two(-1);
+                        self.add_product(entry, &displacements[row], displacement, false);
+                    }
                 }
-                self.add_product(mixed(row, 1.0), &own[border], &displacements[row], false);
+                self.add_product(once, &own[border], &displacements[row], false);
                 if let Some(loads) = loads {
-                    self.push(member.coupling(border, row) * loads[border], &displacements[row]);
+                    self.push(couplings[row] * loads[border], &displacements[row]);
                 }
             }
             for other in (0..=border).filter(is_border) {
@@ -250,14 +257,13 @@ impl<S: Scalar> Factor<'_, S> {
         body: &Option<[[S; MOST_FREEDOMS]; MOST_FREEDOMS]>,
         forces: &[S; MOST_FREEDOMS],
     ) {
-        let slots = &node.slots[..node.count as usize];
-        for (row, slot) in slots.iter().enumerate() {
-            for (column, other) in slots[..=row].iter().enumerate() {
-                if let Some(entries) = body {
-                    self.add(*slot, *other, entries[row][column]);
+        for (row, slot) in node.slots() {
+            if let Some(entries) = body {
+                for (column, other) in node.slots().take_while(|(column, _)| *column <= row) {
+                    self.add(slot, other, entries[row][column]);
                 }
             }
-            self.add_load(*slot, forces[row]);
+            self.add_load(slot, forces[row]);
         }
         self.leave_node(node);
     }

@@ -11,7 +11,7 @@ use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
 
 /// The diagonal entry of a variable, in the units of its chart, below which it is not flipped. Entries grow by its inverse, and so does the
-/// coupling of a border, whose square is added to the stiffness.
+/// coupling of a border, whose square is added to the stiffness: three digits of sixteen are lost at most.
 const SMALL: f64 = 1e-3;
 
 /// What a variable of a member is.

@@ -4,8 +4,9 @@ use crate::model::EndMotion;
 use crate::number::Scalar;
 use crate::number::compiled::for_compiled_numbers;
 use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
-use crate::structure::factor::{Factor, LOADS, NodeUnknowns, Row, Unknown};
+use crate::structure::factor::{Factor, LOADS, Row, Unknown};
 use crate::structure::member::{MemberLoad, MemberStiffness};
+use crate::structure::node_unknowns::{MotionUnknown, NodeUnknowns};
 use crate::structure::tape::Tape;
 #[cfg(feature = "std")]
 use crate::structure::triangle::row;
@@ -20,6 +21,7 @@ const LARGE: usize = 1 << 18;
 struct FactorRoom<S, const W: usize, const NODES: usize> {
     entries: [[S; W]; W],
     unknowns: [Unknown<S>; W],
+    column: [(S, u32); W],
     rows: [[Row<S>; W]; NODES],
     numbers: [[[(S, u32); W]; W]; NODES],
     values: [[[S; LOADS]; W]; NODES],
@@ -47,12 +49,14 @@ fn on_stack<const W: usize, const NODES: usize, S: Scalar, R>(
     let mut room = FactorRoom::<S, W, NODES> {
         entries: [[zero; W]; W],
         unknowns: [Unknown::none(); W],
+        column: [(zero, 0); W],
         rows: [[Row::none(); W]; NODES],
         numbers: [[[(zero, 0); W]; W]; NODES],
         values: [[[zero; LOADS]; W]; NODES],
     };
     work(Factor::new(
         (room.entries.as_flattened_mut(), &mut room.unknowns),
+        &mut room.column,
         Tape::Slice(room.rows.as_flattened_mut(), 0),
         Tape::Slice(room.numbers.as_flattened_mut().as_flattened_mut(), 0),
         Tape::Slice(room.values.as_flattened_mut(), 0),
@@ -68,6 +72,7 @@ pub(crate) fn on_heap<S: Scalar, R>(width: usize, keeps_rows: bool, work: impl F
     let zero = S::zero();
     work(Factor::new(
         (&mut vec![zero; row(width)], &mut vec![Unknown::none(); width]),
+        &mut vec![(zero, 0); width],
         Tape::Vector(&mut vec![]),
         Tape::Vector(&mut vec![]),
         Tape::Vector(&mut vec![]),
@@ -102,9 +107,9 @@ fn in_array<V, A: AsMut<[V]>, R>(value: V, array: impl FnOnce(V) -> A, work: imp
     note = "its elimination is compiled for `f64`, `f32` and `DoubleDouble`, for complex and dual numbers of these"
 )]
 pub trait StructureScalar: Scalar {
-    /// Lets the motions of a node enter.
+    /// Lets a motion of a node enter.
     #[doc(hidden)]
-    fn enter(factor: &mut Factor<'_, Self>, motions: usize) -> NodeUnknowns;
+    fn enter(factor: &mut Factor<'_, Self>) -> MotionUnknown;
 
     /// Makes a member of its chart, and adds it.
     #[doc(hidden)]
@@ -147,8 +152,8 @@ pub trait StructureScalar: Scalar {
 macro_rules! compiled {
     ($($number:ty;)*) => {$(
         impl StructureScalar for $number {
-            fn enter(factor: &mut Factor<'_, Self>, motions: usize) -> NodeUnknowns {
-                factor.enter_node(motions)
+            fn enter(factor: &mut Factor<'_, Self>) -> MotionUnknown {
+                factor.enter_motion()
             }
 
             fn join(
@@ -191,8 +196,8 @@ for_compiled_numbers!(compiled);
 /// Numbers in lanes would wait for different pivots: nothing is known of their structures.
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 impl<V: crate::number::lanes::Waving> StructureScalar for mstmm_lanes::Lanes<V> {
-    fn enter(_factor: &mut Factor<'_, Self>, _motions: usize) -> NodeUnknowns {
-        NodeUnknowns { has_entered: true, ..NodeUnknowns::NONE }
+    fn enter(_factor: &mut Factor<'_, Self>) -> MotionUnknown {
+        MotionUnknown { number: 0, slot: 0 }
     }
 
     fn join(

@@ -10,6 +10,7 @@
 //! | [`units`], [`triangle`] | units of charts; places of entries in a triangle |
 //! | [`member`] | the chart of a member in displacements, with its borders; its motion, once unknowns are known |
 //! | [`join`] | a member joins the factor by the rows of its ends |
+//! | [`node_unknowns`] | the unknowns of a node, of which joints make some those of several |
 //! | [`factor`], [`shear`] | the matrix of the unknowns that have not left; an unknown leaves; two whose pivots are small |
 //! | [`total`] | Δ and the count |
 //! | [`everywhere`] | loads on all unknowns |
@@ -21,6 +22,7 @@ pub(crate) mod factor;
 pub(crate) mod join;
 pub(crate) mod member;
 pub(crate) mod memory;
+pub(crate) mod node_unknowns;
 mod path_chart;
 mod shear;
 mod tape;
@@ -31,10 +33,11 @@ pub(crate) mod triangle;
 mod units;
 
 pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
-pub(crate) use factor::{Factor, LOADS, LoadEverywhere, NodeUnknowns};
+pub(crate) use factor::{Factor, LOADS, LoadEverywhere};
 pub(crate) use member::{MemberLoad, MemberStiffness};
 #[cfg(feature = "std")]
 pub(crate) use memory::on_heap;
 pub(crate) use memory::{StructureScalar, in_memory, with_many};
+pub(crate) use node_unknowns::NodeUnknowns;
 pub(crate) use total::Total;
 pub(crate) use units::{Units, unit_of};

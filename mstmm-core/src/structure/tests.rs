@@ -38,10 +38,22 @@ fn force(row: usize) -> f64 {
     scattered(row, 7)
 }
 
+/// Lets a node with two motions enter.
+fn enter_node(factor: &mut Factor<'_, f64>) -> NodeUnknowns {
+    let mut node = NodeUnknowns { count: 2, has_entered: true, ..NodeUnknowns::NONE };
+    for motion in &mut node.motions[..2] {
+        let unknown = factor.enter_motion();
+        factor.hold(unknown);
+        *motion = Some(unknown);
+    }
+    node
+}
+
 /// Lets the unknowns of a matrix enter as those of three nodes, and leave.
 fn eliminate(matrix: &[[f64; 6]; 6], factor: &mut Factor<'_, f64>) -> Vec<NodeUnknowns> {
-    let nodes: Vec<_> = (0..3).map(|_| factor.enter_node(2)).collect();
-    let slots: Vec<u32> = nodes.iter().flat_map(|node| node.slots[..2].to_vec()).collect();
+    let nodes: Vec<_> = (0..3).map(|_| enter_node(factor)).collect();
+    let slots: Vec<u32> =
+        nodes.iter().flat_map(|node| node.slots().map(|(_, slot)| slot).collect::<Vec<_>>()).collect();
     for (row, entries) in matrix.iter().enumerate() {
         for (column, entry) in entries.iter().enumerate().take(row + 1) {
             factor.add(slots[row], slots[column], *entry);
@@ -77,7 +89,7 @@ fn values_solve_the_equations() {
 #[test]
 fn a_factor_without_room_knows_nothing() {
     in_memory::<3, 2, f64, _>(true, |mut factor| {
-        let nodes = [factor.enter_node(2), factor.enter_node(2)];
+        let nodes = [enter_node(&mut factor), enter_node(&mut factor)];
         nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
         factor.solve();
         assert!(factor.values_of(&nodes[0], 0)[0].is_nan());

@@ -10,8 +10,8 @@ use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Ti
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::{
-    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, load_on_chart,
-    motion_under,
+    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, Wanted,
+    load_on_chart, motion_under,
 };
 use crate::search::ClosedRange;
 use mstmm_plan::Freedoms;
@@ -60,7 +60,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let frequency = x.modulus();
-        let value = match self.states(x) {
+        let value = match self.states_for(x, self.wanted()?) {
             Err(MotionError::Resonance { .. }) if x.is_zero() => self.limit_at_rest()?,
             // below the real axis a motion has the conjugate loss factor
             Err(MotionError::LossFactor) => self.states(x.conjugate())?.value(self.entry)?.conjugate(),
@@ -86,7 +86,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
             return Err(MotionError::LossFactor);
         }
         let load = acting_at::<Y, S>(self.system, self.load.acting)?;
-        let motion = self.motion_at_speed(x, load)?;
+        let motion = self.motion_at_speed(x, load, self.wanted()?)?;
         if motion.vanished_at.is_some() {
             return Err(MotionError::Resonance { frequency: x.modulus() });
         }
@@ -94,8 +94,20 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
     }
 
+    /// Of which members the entry needs the motions.
+    fn wanted(&self) -> Result<Wanted, MotionError> {
+        Ok(match self.entry.quantity {
+            Quantity::Displacement(site, _) => match located(self.system, site)? {
+                Seen::Tied(_) => Wanted::Nodes,
+                Seen::End { member, .. } => Wanted::Member(member),
+            },
+            Quantity::Internal { member, .. } => Wanted::Member(self.system.member_of(member)?),
+            Quantity::Reaction(..) => Wanted::All,
+        })
+    }
+
     /// The motion under the load, in the numbers of the model.
-    fn motion_at_speed<S>(&self, x: S, load: ActingLoad<S>) -> Result<NetworkMotion<Y, S>, MotionError>
+    fn motion_at_speed<S>(&self, x: S, load: ActingLoad<S>, wanted: Wanted) -> Result<NetworkMotion<Y, S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
@@ -105,7 +117,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let own = |member: usize, chart: &_| {
             load_on_chart((self.system, x), (member, along.as_ref()[member]), chart, same, same)
         };
-        Ok(motion_under(self.system, x, &Loading::Acting(load, &own)))
+        Ok(motion_under(self.system, x, &Loading::Acting(load, &own), wanted))
     }
 
     /// The load along each member.
@@ -146,7 +158,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         };
         let size = value.size().max(size);
         if self.system.frequency_estimates().has_loss() {
-            return Ok(Part { value, size, mirrored: self.continued(-x)?.value(self.entry)? });
+            return Ok(Part { value, size, mirrored: self.continued(-x, Wanted::All)?.value(self.entry)? });
         }
         Ok(Part::new(value, size))
     }
@@ -187,20 +199,29 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
+        self.states_for(x, Wanted::All)
+    }
+
+    /// The displacements and forces that are wanted.
+    fn states_for<S>(&self, x: S, wanted: Wanted) -> Result<PlaneStates<'a, Y, S>, MotionError>
+    where
+        Y: MovingNetwork<S>,
+        S: PlaneFrequency<<Y as System>::Parameter>,
+    {
         if is_below_losses(self.system, x) {
             return Err(MotionError::LossFactor);
         }
-        self.continued(x)
+        self.continued(x, wanted)
     }
 
-    /// All displacements and forces at a frequency, with a loss factor below the real axis as above it.
-    fn continued<S>(&self, x: S) -> Result<PlaneStates<'a, Y, S>, MotionError>
+    /// The displacements and forces that are wanted at a frequency, with a loss factor below the real axis as above it.
+    fn continued<S>(&self, x: S, wanted: Wanted) -> Result<PlaneStates<'a, Y, S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let load = acting_at::<Y, S>(self.system, self.load.acting)?;
-        let motion = self.motion(x, load)?;
+        let motion = self.motion(x, load, wanted)?;
         let frequency = x.modulus();
         if !(x.lambda_squared().size().is_finite() && (motion.vanished_at.is_some() || motion.is_finite())) {
             return Err(MotionError::NotFinite { frequency });
@@ -215,20 +236,20 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     }
 
     /// The motion under the load: computed in extended precision, where there is one.
-    fn motion<S>(&self, x: S, load: ActingLoad<S>) -> Result<NetworkMotion<Y, S>, MotionError>
+    fn motion<S>(&self, x: S, load: ActingLoad<S>, wanted: Wanted) -> Result<NetworkMotion<Y, S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         if !S::HAS_PRECISE {
-            return self.motion_at_speed(x, load);
+            return self.motion_at_speed(x, load, wanted);
         }
         let along = self.along_members(load)?;
         let own = |member: usize, chart: &_| {
             load_on_chart((self.system, x), (member, along.as_ref()[member]), chart, S::nearest, S::precise)
         };
         let load = acting_at::<Y, S::Precise>(self.system, self.load.acting)?;
-        Ok(motion_under(self.system, x.precise(), &Loading::Acting(load, &own)).rounded(S::nearest))
+        Ok(motion_under(self.system, x.precise(), &Loading::Acting(load, &own), wanted).rounded(S::nearest))
     }
 
     /// Whether something vanishes at another frequency, too, far from one: then it does at all.
@@ -240,7 +261,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     {
         let low = S::nearest(S::steady(self.lowest_exponent()));
         let other = if x.is_zero() { low } else { x * S::from_f64(ELSEWHERE) };
-        Ok(self.motion(other, load)?.vanished_at.is_some())
+        Ok(self.motion(other, load, Wanted::Nodes)?.vanished_at.is_some())
     }
 
     /// Writes the responses at the frequencies of `grid` to `values`.

@@ -1,21 +1,16 @@
 //! The elementary functions: reduction of the argument, then a Taylor series.
 
+use crate::number::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::number::double_double::DoubleDouble;
 use crate::number::dual::Dual;
 use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
+use crate::number::products::{Operation, Products, on_machine};
 use crate::number::scalar::{Scalar, single};
 use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
 use core::ops::Mul;
 use num_complex::Complex;
-
-/// `π/2` in four parts of 53 bits: the multiples below 2^51 keep 106 bits even where the reduced argument is small.
-const HALF_PI: [f64; 4] =
-    [consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33, 5.562_271_104_316_826e-50];
-
-/// `ln 2` in three parts; its multiples stay below 2^11.
-const LN_2: [f64; 3] = [consts::LN_2, 2.319_046_813_846_299_6e-17, 5.707_708_438_416_212e-34];
 
 /// Beyond it, an angle cannot be reduced by [`nearest_integer`] and the parts of `π/2`.
 const ANGLE_LIMIT: f64 = 1_125_899_906_842_624.0;
@@ -25,23 +20,6 @@ const EXP_LIMIT: f64 = 750.0;
 
 /// Below it, `sh x` is summed up: the difference of two exponentials would cancel.
 const SERIES_LIMIT: f64 = 1.0;
-
-/// `1/n!` up to the last that a series over `SERIES_TERMS` asks for.
-const RECIPROCAL_FACTORIALS: [DoubleDouble; 41] = {
-    let mut table = [DoubleDouble::ONE; 41];
-    // `n! = odd · 2^twos`, exact: 40! has 160 bits, its odd part 121
-    let (mut odd, mut twos) = (1_u128, 0);
-    let mut n = 1;
-    while n < 41 {
-        odd *= n as u128;
-        twos += odd.trailing_zeros();
-        odd >>= odd.trailing_zeros();
-        let (quotient, power) = (DoubleDouble::ONE.over(DoubleDouble::from_integer(odd)), (1_u64 << twos) as f64);
-        table[n] = DoubleDouble { hi: quotient.hi / power, lo: quotient.lo / power };
-        n += 1;
-    }
-    table
-};
 
 /// How many terms of a Taylor series count.
 #[derive(Clone, Copy)]
@@ -60,20 +38,98 @@ const EVERY: Terms = Terms { stride: 1, double: 13, all: 25 };
 /// For sines and cosines, circular or hyperbolic, of a square `|y| <= 1`.
 const EVERY_OTHER: Terms = Terms { stride: 2, double: 9, all: 15 };
 
+/// `1/n!`.
+#[inline(always)]
+fn reciprocal_factorial(n: usize) -> DoubleDouble {
+    let [hi, lo, ..] = RECIPROCAL_FACTORIALS[n];
+    DoubleDouble { hi, lo }
+}
+
 /// `Σ_k y^k / (stride·k + first)!` by Horner's rule; the small terms in `f64`, which is all they need.
-#[inline]
-fn taylor(y: DoubleDouble, first: usize, terms: Terms) -> DoubleDouble {
-    let coefficient = |k: usize| RECIPROCAL_FACTORIALS[terms.stride * k + first];
-    let tail = (terms.double..terms.all).rev().fold(0.0, |sum, k| sum * y.hi + coefficient(k).hi);
-    let tail = DoubleDouble::from_double(tail);
-    (0..terms.double).rev().fold(tail, |sum, k| sum * y + coefficient(k))
+#[inline(always)]
+fn taylor<P: Products>(y: DoubleDouble, first: usize, terms: Terms) -> DoubleDouble {
+    let coefficient = |k: usize| reciprocal_factorial(terms.stride * k + first);
+    let mut tail = 0.0;
+    for k in (terms.double..terms.all).rev() {
+        tail = tail * y.hi + coefficient(k).hi;
+    }
+    let mut sum = DoubleDouble::from_double(tail);
+    for k in (0..terms.double).rev() {
+        sum = sum.times_by::<P>(y).added_to(coefficient(k));
+    }
+    sum
 }
 
 /// `sin x` and `cos x` for `y = -x²`, or `sh x` and `ch x` for `y = x²`. The leading term is added last, so that it
 /// takes on no error but that of one rounding.
-#[inline]
-fn sine_and_cosine(x: DoubleDouble, y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    (x + x * (y * taylor(y, 3, EVERY_OTHER)), DoubleDouble::ONE + y * taylor(y, 2, EVERY_OTHER))
+#[inline(always)]
+fn sine_and_cosine<P: Products>(x: DoubleDouble, y: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+    let odd = x.times_by::<P>(y.times_by::<P>(taylor::<P>(y, 3, EVERY_OTHER)));
+    let even = y.times_by::<P>(taylor::<P>(y, 2, EVERY_OTHER));
+    (x.added_to(odd), DoubleDouble::ONE.added_to(even))
+}
+
+/// Sine and cosine of a number.
+struct SineAndCosine(DoubleDouble);
+
+impl Operation for SineAndCosine {
+    type Output = (DoubleDouble, DoubleDouble);
+
+    #[inline(always)]
+    fn by<P: Products>(self) -> (DoubleDouble, DoubleDouble) {
+        let SineAndCosine(x) = self;
+        let quarters = nearest_integer(x.hi * consts::FRAC_2_PI);
+        let x = x.minus_multiple::<P>(quarters, &HALF_PI[..4]);
+        let (sin, cos) = sine_and_cosine::<P>(x, x.times_by::<P>(x).negated());
+        match (quarters as i64) & 3 {
+            0 => (sin, cos),
+            1 => (cos, sin.negated()),
+            2 => (sin.negated(), cos.negated()),
+            _ => (cos.negated(), sin),
+        }
+    }
+}
+
+/// Hyperbolic sine and cosine of a number below [`SERIES_LIMIT`].
+struct SmallHyperbolic(DoubleDouble);
+
+impl Operation for SmallHyperbolic {
+    type Output = (DoubleDouble, DoubleDouble);
+
+    #[inline(always)]
+    fn by<P: Products>(self) -> (DoubleDouble, DoubleDouble) {
+        sine_and_cosine::<P>(self.0, self.0.times_by::<P>(self.0))
+    }
+}
+
+/// The exponential of a number.
+struct Exponential(DoubleDouble);
+
+impl Operation for Exponential {
+    type Output = DoubleDouble;
+
+    #[inline(always)]
+    fn by<P: Products>(self) -> DoubleDouble {
+        let exponent = nearest_integer(self.0.hi * consts::LOG2_E);
+        // three parts, of which multiples stay below 2^11
+        let x = self.0.minus_multiple::<P>(exponent, &LN_2[..3]);
+        let rest = x.times_by::<P>(x.times_by::<P>(taylor::<P>(x, 2, EVERY)));
+        DoubleDouble::ONE.added_to(x.added_to(rest)).times_power_of_two(exponent as i32)
+    }
+}
+
+/// The square root of a number: one Newton step from that of its first word, whose residual is exact.
+struct Root(DoubleDouble, f64);
+
+impl Operation for Root {
+    type Output = DoubleDouble;
+
+    #[inline(always)]
+    fn by<P: Products>(self) -> DoubleDouble {
+        let Root(square, root) = self;
+        let residual = square.minus_multiple::<P>(root, &[root]);
+        DoubleDouble::from_ordered_sum(root, residual.hi / (2.0 * root))
+    }
 }
 
 /// The integer nearest to a number of size below 2^51: the sum with `1.5 · 2^52` has no bits for a fraction.
@@ -98,17 +154,12 @@ impl Scalar for DoubleDouble {
 
     #[inline(always)]
     fn reciprocal_factorial(n: usize) -> Self {
-        RECIPROCAL_FACTORIALS[n]
+        reciprocal_factorial(n)
     }
 
-    /// One Newton step from the root in `f64`, whose residual is exact.
     fn sqrt(self) -> Self {
         let root = Scalar::sqrt(self.hi);
-        if root == 0.0 || !root.is_finite() {
-            return DoubleDouble::from_double(root);
-        }
-        let residual = self.minus_multiple(root, &[root]);
-        DoubleDouble::from_ordered_sum(root, residual.hi / (2.0 * root))
+        if root == 0.0 || !root.is_finite() { DoubleDouble::from_double(root) } else { on_machine(Root(self, root)) }
     }
 
     /// NaN for angles of 2^50 and more.
@@ -117,20 +168,12 @@ impl Scalar for DoubleDouble {
             let nan = DoubleDouble::from_double(f64::NAN);
             return (nan, nan);
         }
-        let quarters = nearest_integer(self.hi * consts::FRAC_2_PI);
-        let x = self.minus_multiple(quarters, &HALF_PI);
-        let (sin, cos) = sine_and_cosine(x, -(x * x));
-        match (quarters as i64) & 3 {
-            0 => (sin, cos),
-            1 => (cos, -sin),
-            2 => (-sin, -cos),
-            _ => (-cos, sin),
-        }
+        on_machine(SineAndCosine(self))
     }
 
     fn sinh_cosh(self) -> (Self, Self) {
         if self.hi.abs() < SERIES_LIMIT {
-            return sine_and_cosine(self, self * self);
+            return on_machine(SmallHyperbolic(self));
         }
         let e = self.exp();
         let inverse = DoubleDouble::ONE / e;
@@ -150,6 +193,18 @@ impl Scalar for DoubleDouble {
     #[inline(always)]
     fn is_negative(self) -> bool {
         self.hi < 0.0
+    }
+
+    /// Geometry often has ones, and units are powers of two, which round nothing.
+    #[inline]
+    fn times_real(self, real: Self) -> Self {
+        const MANTISSA: u64 = (1 << 52) - 1;
+        if real.lo == 0.0 && real.hi.to_bits() & MANTISSA == 0 { self.scaled(real.hi) } else { self * real }
+    }
+
+    #[inline(always)]
+    fn less_product<P: Products>(self, a: Self, b: Self) -> Self {
+        self.added_to(a.times_by::<P>(b).negated())
     }
 
     #[inline(always)]
@@ -192,8 +247,19 @@ impl Parameter for DoubleDouble {
 
 impl Real for DoubleDouble {
     #[inline]
-    fn sum_of_products(one: [Self; 2], other: [Self; 2]) -> Self {
-        DoubleDouble::sum_of_products(one, other)
+    fn complex_product(a: [Self; 2], b: [Self; 2]) -> [Self; 2] {
+        DoubleDouble::times_complex(a, b)
+    }
+
+    #[inline]
+    fn complex_quotient(dividend: [Self; 2], divisor: [Self; 2]) -> [Self; 2] {
+        DoubleDouble::over_complex(dividend, divisor)
+    }
+
+    #[inline(always)]
+    fn minus_complex_product<P: Products>([re, im]: [Self; 2], [first, second]: [[Self; 2]; 2]) -> [Self; 2] {
+        let product = DoubleDouble::complex_product_by::<P>(first, second);
+        [re.added_to(product[0].negated()), im.added_to(product[1].negated())]
     }
 
     type Extended = Self;
@@ -202,10 +268,7 @@ impl Real for DoubleDouble {
         if self.hi.is_nan() || self.hi.abs() >= EXP_LIMIT {
             return DoubleDouble::from_double(Real::exp(self.hi));
         }
-        let exponent = nearest_integer(self.hi * consts::LOG2_E);
-        let x = self.minus_multiple(exponent, &LN_2);
-        let e = DoubleDouble::ONE + (x + x * (x * taylor(x, 2, EVERY)));
-        e.times_power_of_two(exponent as i32)
+        on_machine(Exponential(self))
     }
 }
 

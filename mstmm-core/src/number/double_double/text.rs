@@ -35,6 +35,12 @@ fn power_of_ten(mut n: u32) -> DoubleDouble {
 }
 
 impl DoubleDouble {
+    /// An integer below 2^127: exact up to 2^106, and beyond as near as the type can be.
+    fn from_integer(n: u128) -> Self {
+        let hi = n as f64;
+        DoubleDouble { hi, lo: (n as i128 - hi as i128) as f64 }
+    }
+
     fn times_power_of_ten(mut self, exponent: i32) -> Self {
         let mut left = exponent.unsigned_abs();
         while left > 0 {

@@ -58,11 +58,13 @@ impl<S: Scalar> Div for Dual<S> {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
+        let value = self.value.quotient(other.value);
         match [self, other].map(|part| part.is_known_constant()) {
-            [false, false] => Dual { value, derivative: (self.derivative - value * other.derivative) / other.value },
-            [true, false] => Dual { value, derivative: -(value * other.derivative) / other.value },
-            [false, true] => Dual { value, derivative: self.derivative / other.value },
+            [false, false] => {
+                Dual { value, derivative: (self.derivative - value.product(other.derivative)).quotient(other.value) }
+            }
+            [true, false] => Dual { value, derivative: -value.product(other.derivative).quotient(other.value) },
+            [false, true] => Dual { value, derivative: self.derivative.quotient(other.value) },
             [true, true] => Dual::constant(value),
         }
     }

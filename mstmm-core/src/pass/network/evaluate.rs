@@ -3,7 +3,8 @@
 use crate::number::{Frequency, FrequencyPowers, Scaled};
 use crate::pass::network::loading::Loading;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::placed::{ChartsOfEqual, PlacedCharts, for_each_cut};
+use crate::pass::network::node::Shared;
+use crate::pass::network::placed::{ChartsOfEqual, Placed, PlacedCharts};
 use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, with_many};
 use crate::subspace::RootCounter;
 
@@ -62,25 +63,57 @@ pub(super) fn eliminate<Y, S>(
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     let (order, mut charts) = (network.order(), ChartsOfEqual::new());
+    let ties = !loading.moves_support();
     for &node in order.nodes {
         factor.node = node as u32;
-        let mut entered = |factor: &mut Factor<'_, S>, node: usize| {
-            let unknowns = &mut unknowns[node];
-            if !unknowns.has_entered {
-                *unknowns = S::enter(factor, network.node(node).1.count);
+        for &end in order.incidence.ends(node).iter().filter(|end| order.is_first_at(**end, node)) {
+            let member = end / 2;
+            let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
+            let joined = nodes.map(|node| entered(network, (node, ties), factor, unknowns));
+            let placement = network.placement(member);
+            if placement.is_tie && ties {
+                continue;
             }
-            *unknowns
-        };
-        for_each_cut(network, (&order, node), (at, &mut charts), |member, chart, ends| {
-            let nodes = ends.each_ref().map(|end| entered(factor, end.node));
+            let Some(mut chart) = charts.chart(network, member, at) else { continue };
             chart.coarsen(factor.units);
-            let load = loading.on_member(member, network.placement(member), chart);
+            let load = loading.on_member(member, placement, &chart);
+            let ends = placement.joined(nodes.map(|node| network.node(node).1));
             let stiffness = &mut stiffnesses[if factor.keeps_rows { member } else { 0 }];
-            S::join(factor, stiffness, chart, (ends, nodes.each_ref()), load);
-        });
-        let own = entered(factor, node);
+            S::join(factor, stiffness, &chart, (&ends, joined.each_ref()), load);
+        }
+        let own = entered(network, (node, ties), factor, unknowns);
         let (body, motions) = network.node(node);
         let body = motions.body(body, at.lambda_squared);
         S::take_up(factor, &own, &body, &loading.on_node(network, node, at));
     }
+}
+
+/// The unknowns of a node, which enter where they have not. With ties a motion that is that of another node is its unknown.
+fn entered<Y, S>(
+    network: &Y,
+    (node, ties): (usize, bool),
+    factor: &mut Factor<'_, S>,
+    unknowns: &mut [NodeUnknowns],
+) -> NodeUnknowns
+where
+    Y: Placed,
+    S: Frequency<Y::Parameter> + StructureScalar,
+{
+    if unknowns[node].has_entered {
+        return unknowns[node];
+    }
+    let motions = network.node(node).1;
+    for motion in 0..motions.count {
+        let owner = match motions.shared[motion] {
+            Shared::With { node, motion } if ties => Some((node as usize, motion as usize)),
+            Shared::AtRest if ties => None,
+            _ => Some((node, motion)),
+        };
+        let unknown =
+            owner.map(|(node, motion)| *unknowns[node].motions[motion].get_or_insert_with(|| S::enter(factor)));
+        unknown.into_iter().for_each(|unknown| factor.hold(unknown));
+        unknowns[node].motions[motion] = unknown;
+    }
+    (unknowns[node].has_entered, unknowns[node].count) = (true, motions.count as u32);
+    unknowns[node]
 }

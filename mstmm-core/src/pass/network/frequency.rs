@@ -1,6 +1,6 @@
 //! The frequencies at which plane structures move.
 
-use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single};
+use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single, Value};
 use crate::pass::characteristic::System;
 use crate::pass::network::placed::{PlacedCharts, PlacedMotions};
 use crate::structure::StructureScalar;
@@ -8,8 +8,7 @@ use num_complex::Complex;
 
 /// A frequency at which motions of plane structures are computed: a real ω, or a complex λ.
 pub trait PlaneFrequency<T: Real>: Oscillation<T> + StructureScalar {
-    /// The number in extended precision, in which doubtful motions are computed again: of a complex one the dual number that searches of
-    /// eigenvalues have, since parameters multiply those.
+    /// The number in extended precision, in which motions are computed.
     type Precise: Frequency<T> + StructureScalar + Single;
 
     /// Whether there is an extended precision.
@@ -80,17 +79,17 @@ impl<T: Real<Extended: StructureScalar> + StructureScalar> PlaneFrequency<T> for
 impl<T: Real> PlaneFrequency<T> for Complex<T>
 where
     Complex<T>: StructureScalar<Size = f64, Truth = bool>,
-    Dual<Complex<T::Extended>>: Frequency<T> + StructureScalar<Size = f64, Truth = bool>,
+    Value<Complex<T::Extended>>: Frequency<T> + StructureScalar<Size = f64, Truth = bool>,
 {
-    type Precise = Dual<Complex<T::Extended>>;
+    type Precise = Value<Complex<T::Extended>>;
     const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
 
-    fn precise(self) -> Dual<Complex<T::Extended>> {
-        Dual::constant(Complex::new(self.re.to_extended(), self.im.to_extended()))
+    fn precise(self) -> Value<Complex<T::Extended>> {
+        Value(Complex::new(self.re.to_extended(), self.im.to_extended()))
     }
 
-    fn nearest(precise: Dual<Complex<T::Extended>>) -> Self {
-        Complex::new(T::from_extended(precise.value.re), T::from_extended(precise.value.im))
+    fn nearest(Value(precise): Value<Complex<T::Extended>>) -> Self {
+        Complex::new(T::from_extended(precise.re), T::from_extended(precise.im))
     }
 
     type WithSlope = Dual<Complex<T>>;

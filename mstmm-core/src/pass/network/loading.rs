@@ -90,6 +90,11 @@ impl<S: Scalar> Loading<'_, S> {
         motions.parts_of(forces)
     }
 
+    /// Whether it moves a support: what hangs on that moves with it then, and is no unknown that rests.
+    pub(super) fn moves_support(&self) -> bool {
+        matches!(self, Loading::Acting(ActingLoad::At(LoadAt { moved: Some(_), .. }), _))
+    }
+
     /// By what its support moves a node.
     pub(super) fn moved(&self, node: usize) -> Option<[S; 3]> {
         match self {

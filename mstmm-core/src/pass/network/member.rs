@@ -141,6 +141,8 @@ pub struct Placement<T> {
     pub(crate) freedoms: Freedoms,
     ends: [PlacedEnd<T>; 2],
     span: Span<T>,
+    /// Whether it is a rigid joint by which a node hangs on another one: what it ties is one unknown.
+    pub(crate) is_tie: bool,
 }
 
 /// The end of a member: its place and that of its node, and the direction in which it acts, if that is not along the member. In extended
@@ -167,6 +169,7 @@ impl<T: Real> Placement<T> {
             freedoms: Freedoms::NONE,
             ends: [end; 2],
             span: Span { length: T::zero(), rows: [[[T::zero(); 3]; 3]; 2] },
+            is_tie: false,
         }
     }
 
@@ -185,7 +188,7 @@ impl<T: Real> Placement<T> {
             }
         });
         let span = Span::new(&ends, motions);
-        Placement { freedoms, ends, span }
+        Placement { freedoms, ends, span, is_tie: false }
     }
 
     /// Its length as a parameter.
@@ -203,15 +206,20 @@ impl<T: Real> Placement<T> {
         }
     }
 
-    /// Where its ends are joined, given the nodes at which they leave and the motions of these; an end at rest leaves at the node of the
-    /// other one.
+    /// Whether the rows of an end have not been rounded: it stands at its node, and its axes are those of the plane.
+    fn is_exact(&self, end: usize) -> bool {
+        let [x, y]: [T; 2] = vector_of(&self.ends, end);
+        let PlacedEnd { place, node, .. } = self.ends[end];
+        place == node && (x.vanishes() || y.vanishes())
+    }
+
+    /// Where its ends are joined, given the motions of the nodes at which they leave; an end at rest leaves at the node of the other one.
     #[inline]
-    pub(crate) fn joined<S: Frequency<T>>(&self, nodes: [usize; 2], motions: [&Motions<T>; 2]) -> [JoinedEnd<S>; 2] {
+    pub(crate) fn joined<S: Frequency<T>>(&self, motions: [&Motions<T>; 2]) -> [JoinedEnd<S>; 2] {
         [0, 1].map(|end| JoinedEnd {
-            node: nodes[end],
             released: self.ends[end].released,
             rests: self.ends[end].rests,
-            rows: if S::IS_EXTENDED && !self.ends[end].rests {
+            rows: if S::IS_EXTENDED && !self.ends[end].rests && !self.is_exact(end) {
                 rows_of::<T, T::Extended>(&self.ends, end, motions[end]).map(|row| row.map(exact))
             } else {
                 self.span.rows[end].map(|row| row.map(S::from_parameter))

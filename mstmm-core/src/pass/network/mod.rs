@@ -24,6 +24,7 @@ pub(crate) mod stiffness;
 mod structure;
 #[cfg(test)]
 mod tests;
+mod ties;
 mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
@@ -37,7 +38,7 @@ pub use member::{End, Member, Placement};
 #[cfg(feature = "std")]
 pub use memory::Vectors;
 pub use memory::{Arrays, Memory};
-pub(crate) use motion::{NetworkMotion, longest, motion_under, motions_under, size_of_forces};
+pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_of_forces};
 pub use node::{Motions, Node};
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;

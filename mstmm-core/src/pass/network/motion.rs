@@ -6,6 +6,7 @@ use crate::pass::network::evaluate::eliminate;
 use crate::pass::network::loading::Loading;
 use crate::pass::network::memory::Memory;
 use crate::pass::network::placed::{PerMember, PerNode, Placed, PlacedCharts};
+use crate::pass::network::ties::{Solved, joints};
 use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar, with_many};
 
 /// The motion of a network.
@@ -34,13 +35,24 @@ where
 {
 }
 
+/// Whose motions are found, besides those of all nodes: of other members they are zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Wanted {
+    /// Those of all members.
+    All,
+    /// That of one member.
+    Member(usize),
+    /// Those of no member.
+    Nodes,
+}
+
 /// The motion under a load, the first one of two.
-pub(crate) fn motion_under<Y, S>(network: &Y, x: S, loading: &Loading<'_, S>) -> NetworkMotion<Y, S>
+pub(crate) fn motion_under<Y, S>(network: &Y, x: S, loading: &Loading<'_, S>, wanted: Wanted) -> NetworkMotion<Y, S>
 where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
 {
-    solved(network, x, loading, |found| found(0))
+    solved(network, x, (loading, wanted), |found| found(0))
 }
 
 /// The motions under both loads of a number and the next one.
@@ -49,14 +61,14 @@ where
     Y: PlacedCharts<S>,
     S: Frequency<Y::Parameter> + StructureScalar,
 {
-    solved(network, x, loading, |found| [found(0), found(1)])
+    solved(network, x, (loading, Wanted::All), |found| [found(0), found(1)])
 }
 
 /// What a function makes of the motions under the loads.
 fn solved<Y, S, R>(
     network: &Y,
     x: S,
-    loading: &Loading<'_, S>,
+    (loading, wanted): (&Loading<'_, S>, Wanted),
     make: impl FnOnce(&dyn Fn(usize) -> NetworkMotion<Y, S>) -> R,
 ) -> R
 where
@@ -82,7 +94,7 @@ where
                         factor.units = loading.units(network, &at);
                         eliminate(network, &at, loading, &mut factor, (unknowns, stiffnesses));
                         S::solve(&mut factor);
-                        make(&|load| found(network, loading, (&factor, load), (unknowns, stiffnesses)))
+                        make(&|load| found(network, (&at, loading, wanted), (&factor, load), (unknowns, stiffnesses)))
                     },
                 )
             },
@@ -93,7 +105,7 @@ where
 /// The motion of all nodes and members under a load, once the values of unknowns are known.
 fn found<Y, S>(
     network: &Y,
-    loading: &Loading<'_, S>,
+    (at, loading, wanted): (&FrequencyPowers<S>, &Loading<'_, S>, Wanted),
     (factor, load): (&Factor<'_, S>, usize),
     (unknowns, stiffnesses): (&[NodeUnknowns], &[MemberStiffness<S>]),
 ) -> NetworkMotion<Y, S>
@@ -110,9 +122,22 @@ where
             *sum += moved;
         }
     }
+    // the forces of a joint by rows need those of all members
+    let needs_all = match wanted {
+        Wanted::All => true,
+        Wanted::Member(member) => network.placement(member).is_tie,
+        Wanted::Nodes => false,
+    };
     for (member, (motion, stiffness)) in members.as_mut().iter_mut().zip(stiffnesses).enumerate().take(member_count) {
+        if !(needs_all || wanted == Wanted::Member(member)) {
+            continue;
+        }
         let joins = [0, 1].map(|end| order.incidence.node(2 * member + end));
         *motion = S::motion(factor, stiffness, joins.map(|node| &unknowns[node]), load);
+    }
+    if needs_all && !loading.moves_support() {
+        let solved = Solved { stiffnesses, loading, at };
+        joints(network, &solved, |node| factor.values_of(&unknowns[node], load), members.as_mut());
     }
     NetworkMotion { nodes, members, work: factor.works[load], vanished_at: factor.vanished_at }
 }

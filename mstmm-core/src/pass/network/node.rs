@@ -74,11 +74,34 @@ impl<T: Parameter> Node<T> {
     }
 }
 
+/// No joint.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// What a motion of a node is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Shared {
+    /// One of its own.
+    Own,
+    /// The motion of another node, to which a rigid joint ties it.
+    With {
+        /// The other node.
+        node: u32,
+        /// The index of its motion.
+        motion: u8,
+    },
+    /// None: a rigid joint ties it to a node at rest.
+    AtRest,
+}
+
 /// The motions that its supports leave a node, each by its displacements x and y and its rotation.
 #[derive(Clone, Copy, Debug)]
 pub struct Motions<T> {
     directions: [[T; 3]; 3],
     pub(crate) count: usize,
+    /// What each motion is.
+    pub(crate) shared: [Shared; 3],
+    /// The joint by which the node hangs on another one.
+    pub(crate) hangs_by: u32,
     /// Whether it is the motion of a path, which has no place.
     pub(crate) is_of_path: bool,
 }
@@ -86,7 +109,13 @@ pub struct Motions<T> {
 impl<T: Parameter> Motions<T> {
     /// No motions.
     pub(crate) fn none() -> Self {
-        Motions { directions: [[T::zero(); 3]; 3], count: 0, is_of_path: false }
+        Motions {
+            directions: [[T::zero(); 3]; 3],
+            count: 0,
+            shared: [Shared::Own; 3],
+            hangs_by: NONE,
+            is_of_path: false,
+        }
     }
 
     /// The motions of a node.

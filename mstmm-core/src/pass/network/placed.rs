@@ -8,7 +8,7 @@ use crate::pass::network::member::Placement;
 use crate::pass::network::memory::Memory;
 use crate::pass::network::node::{Motions, Node};
 
-use crate::structure::{Chart, JoinedEnd};
+use crate::structure::Chart;
 use core::fmt::Debug;
 use mstmm_plan::NetworkOrder;
 
@@ -119,7 +119,7 @@ impl<S: Scalar> ChartsOfEqual<S> {
     }
 
     /// The chart of a member.
-    fn chart<Y>(&mut self, network: &Y, member: usize, at: &FrequencyPowers<S>) -> Option<Chart<S>>
+    pub(super) fn chart<Y>(&mut self, network: &Y, member: usize, at: &FrequencyPowers<S>) -> Option<Chart<S>>
     where
         Y: PlacedCharts<S>,
         S: Frequency<Y::Parameter>,
@@ -143,30 +143,5 @@ impl<S: Scalar> ChartsOfEqual<S> {
         self.kept[self.next] = Some((member, length, chart));
         self.next = (self.next + 1) % KEPT;
         Some(chart)
-    }
-}
-
-/// Hands on each member that is cut by the elimination of a node, with its chart and where its ends are joined.
-#[inline(always)]
-pub(super) fn for_each_cut<Y, S>(
-    network: &Y,
-    (order, node): (&NetworkOrder<'_>, usize),
-    (at, charts): (&FrequencyPowers<S>, &mut ChartsOfEqual<S>),
-    mut take: impl FnMut(usize, &mut Chart<S>, &[JoinedEnd<S>; 2]),
-) where
-    Y: PlacedCharts<S>,
-    S: Frequency<Y::Parameter>,
-{
-    for &end in order.incidence.ends(node) {
-        let member = end / 2;
-        if !order.is_first_at(end, node) {
-            continue;
-        }
-        let placement = network.placement(member);
-        if let Some(mut chart) = charts.chart(network, member, at) {
-            let nodes = [0, 1].map(|end| order.incidence.node(2 * member + end));
-            let ends = placement.joined(nodes, nodes.map(|node| network.node(node).1));
-            take(member, &mut chart, &ends);
-        }
     }
 }

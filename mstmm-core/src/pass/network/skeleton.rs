@@ -9,6 +9,7 @@ use crate::pass::network::node::{Motions, Node};
 use crate::pass::network::numbers::Numbers;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
+use crate::pass::network::ties::tie;
 use mstmm_plan::NetworkOrder;
 
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
@@ -69,6 +70,7 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     /// Arranges what searches evaluate at many frequencies, once all members are described.
     pub fn arrange(&mut self, order: &NetworkOrder<'_>) {
         self.stiffness.arrange(order);
+        tie(&mut self.motions, &mut self.placements, self.stiffness.numbers());
     }
 
     /// The length of a member.

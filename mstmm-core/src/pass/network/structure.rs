@@ -19,6 +19,7 @@ use crate::pass::network::order::Order;
 use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::placed::{Placed, PlacedCharts, PlacedMotions};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
+use crate::pass::network::ties::tie;
 use crate::pass::network::visit::visit_network;
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
@@ -160,6 +161,8 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
             .map_err(|node| refuse(NetworkError::Apart { node }))
             .ok()?;
         stiffness.arrange(&order.get());
+        let ends = &mut placements.as_mut()[..member_count];
+        tie(&mut motions.as_mut()[..node_count], ends, stiffness.numbers());
         let mut own_nodes = M::per_node(node_count, Node::at([<E::Parameter as Scalar>::from_f64(0.0); 2]));
         own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
         let (mut of_nodes, mut of_members) = (M::per_node(node_count, 0), M::per_member(member_count, 0));

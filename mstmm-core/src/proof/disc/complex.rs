@@ -1,8 +1,8 @@
 //! Complex numbers with a bound of their distance from the exact ones: discs.
 
 use crate::number::Scalar;
+use crate::number::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::ball::{Ball, LOWERED, ROUNDED};
-use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::level::Level;
 use crate::proof::number::UNDERFLOW;
 use core::ops::{Add, Mul, Neg, Sub};

@@ -3,8 +3,8 @@
 
 use crate::element::{BeamNumbers, DampingNumbers};
 use crate::number::Scalar;
+use crate::number::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::ball::Ball;
-use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::disc::bending::{Bending, symmetric};
 use crate::proof::disc::complex::ComplexBall;
 use crate::proof::disc::member::{Frequency, Member};

@@ -1,7 +1,7 @@
 //! The count of a general beam with both ends held, in bounds.
 
+use crate::number::constants::HALF_PI;
 use crate::proof::ball::Ball;
-use crate::proof::constants::HALF_PI;
 use crate::proof::general_bending::equations::{Equations, Roots, either};
 use crate::proof::level::Level;
 use crate::proof::member::any;

@@ -1,7 +1,7 @@
 //! The functions of the two squared wave numbers of which a general beam's stiffness is made, in three forms: no divisor is small.
 
+use crate::number::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::ball::Ball;
-use crate::proof::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::general_bending::equations::{Equations, Roots, WavePair, either, select_all};
 use crate::proof::level::Level;
 use crate::proof::member::any;

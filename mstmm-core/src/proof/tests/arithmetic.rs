@@ -1,7 +1,7 @@
 //! Sums, products, inverses and roots against many digits.
 
+use crate::number::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::ball::Ball;
-use crate::proof::constants::{HALF_PI, LN_2, RECIPROCAL_FACTORIALS};
 use crate::proof::four_words::FourWords;
 use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, TwoWords};

@@ -1,8 +1,8 @@
 //! General beams against pieces in many digits: nothing is outside of its ball, and no count outside of its bounds.
 
 use crate::element::BeamNumbers;
+use crate::number::constants::HALF_PI;
 use crate::proof::ball::Ball;
-use crate::proof::constants::HALF_PI;
 use crate::proof::general_bending::{General, general_bending};
 use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, TwoWords};

@@ -1,0 +1,26 @@
+//! The unknowns of a node.
+
+/// The unknown of a motion: its number and its slot.
+#[derive(Clone, Copy, Debug)]
+pub struct MotionUnknown {
+    pub(crate) number: u32,
+    pub(crate) slot: u32,
+}
+
+/// The unknowns of a node: its motions, of which some are those of other nodes as well, and some are at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct NodeUnknowns {
+    pub(crate) motions: [Option<MotionUnknown>; 3],
+    pub(crate) count: u32,
+    pub(crate) has_entered: bool,
+}
+
+impl NodeUnknowns {
+    /// None yet.
+    pub(crate) const NONE: Self = NodeUnknowns { motions: [None; 3], count: 0, has_entered: false };
+
+    /// The slots of its motions, with their indices.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = (usize, u32)> {
+        self.motions.into_iter().enumerate().filter_map(|(motion, unknown)| Some((motion, unknown?.slot)))
+    }
+}
