@@ -270,7 +270,8 @@ impl<S: Scalar> Factor<'_, S> {
     pub(super) fn leave_node(&mut self, node: &NodeUnknowns) {
         for (_, slot) in node.slots() {
             let unknown = &mut self.unknowns[slot as usize];
-            unknown.holders -= 1;
+            // without room for them several unknowns have one slot
+            unknown.holders = unknown.holders.saturating_sub(1);
             if unknown.holders == 0 {
                 self.wait(slot);
                 self.leave_if_large(slot as usize);

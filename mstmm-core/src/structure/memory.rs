@@ -27,7 +27,7 @@ struct FactorRoom<S, const W: usize, const NODES: usize> {
     values: [[[S; LOADS]; W]; NODES],
 }
 
-/// What a function does with the factor of a structure that nothing has joined. The factor keeps rows, or has room for those of one node.
+/// What a function does with the factor of a structure that nothing has joined. The factor keeps rows, or has no room for any.
 pub(crate) fn in_memory<const W: usize, const NODES: usize, S: Scalar, R>(
     keeps_rows: bool,
     work: impl FnOnce(Factor<'_, S>) -> R,

@@ -38,7 +38,7 @@ impl<S: Scalar> Factor<'_, S> {
             let term = factor * self.unknowns[other].loads[load];
             self.unknowns[one].loads[load] += term;
         }
-        if self.begin_row(Row::shear_of(self.unknowns[other].number)) {
+        if self.keeps_rows && self.begin_row(Row::shear_of(self.unknowns[other].number)) {
             self.push_number(-factor, self.unknowns[one].number);
         }
         one

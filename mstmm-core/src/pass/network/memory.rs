@@ -50,8 +50,8 @@ impl<const WIDTH: usize, const NODES: usize, const MEMBERS: usize> Memory for Ar
     }
 
     fn in_front<S: Scalar, R>(_width: usize, work: impl FnOnce(Factor<'_, S>) -> R) -> R {
-        // room for the rows of one node
-        in_memory::<WIDTH, 1, S, R>(false, work)
+        // no row is kept
+        in_memory::<WIDTH, 0, S, R>(false, work)
     }
 }
 
