@@ -47,7 +47,7 @@ fn structure(axes: Axes) -> Structure {
     let foot = structure.node(Node::at([0.0, 0.0]));
     let corner = structure.node(Node::at([0.0, 2.0]).body(0.7, 0.2, [0.1, 2.2]));
     let hub = structure.node(Node::at([3.0, 2.0]));
-    let tied = [0.0, 0.4, 0.0].map(|mass| structure.node(Node::at([3.0, 2.0]).body(mass, 0.1 * mass, [3.1, 1.9])));
+    let tied = [0.0, 0.4, 0.3].map(|mass| structure.node(Node::at([3.0, 2.0]).body(mass, 0.1 * mass, [3.1, 1.9])));
     let series = structure.node(Node::at([5.0, 2.0]));
     let middle = structure.node(Node::at([5.0, 2.0]));
     let far = structure.node(Node::at([5.0, 2.0]));
