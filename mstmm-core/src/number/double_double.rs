@@ -81,7 +81,7 @@ impl DoubleDouble {
     }
 
     /// The sum.
-    // called, as products are
+    // a call: in line, passes in extended precision were half of a program and of its compilation
     #[inline(never)]
     fn plus(self, other: Self) -> Self {
         self.added_to(other)

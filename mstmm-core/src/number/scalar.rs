@@ -226,13 +226,10 @@ pub(crate) fn series<S: Scalar>(x: S, first: usize, stride: usize) -> S {
     sum
 }
 
-/// The unit in the last place of double-double numbers is less, that of others larger.
-const LONG: f64 = 1e-20;
-
-/// Whether a number is made of double-doubles, of which each operation is many.
+/// Whether a number is made of double-doubles, of which each operation is many: it has more digits than an `f64`.
 #[inline(always)]
 pub(crate) fn is_long<S: Scalar>() -> bool {
-    S::EPSILON < LONG
+    S::EPSILON < f64::EPSILON
 }
 
 /// Does work on numbers: on the instruction set of the machine where each product is many operations.

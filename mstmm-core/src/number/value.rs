@@ -1,6 +1,5 @@
 //! Numbers without a derivative, where others have one: complex frequencies in extended precision are multiplied by parameters.
 
-use crate::number::double_double::DoubleDouble;
 use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Real};
 use crate::number::products::Products;
@@ -19,7 +18,7 @@ pub struct Value<S>(
     pub S,
 );
 
-/// Implements operators, and their assigning forms, by those of the number.
+/// Implements operators and their assigning forms: each does what the operator of the number does.
 macro_rules! operators {
     ($($trait:ident, $method:ident, $assign:ident, $assign_method:ident, $operator:tt;)*) => {$(
         impl<S: Scalar> $trait for Value<S> {
@@ -234,34 +233,5 @@ impl<T: Real> Frequency<T> for Value<Complex<T>> {
     #[inline]
     fn from_parameter(parameter: T) -> Self {
         Value(Frequency::from_parameter(parameter))
-    }
-}
-
-impl Mul<f64> for Value<Complex<DoubleDouble>> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        self * DoubleDouble::from_f64(factor)
-    }
-}
-
-impl Frequency<f64> for Value<Complex<DoubleDouble>> {
-    type Meaning = ComplexEigenvalue;
-    const IS_EXTENDED: bool = true;
-
-    #[inline]
-    fn lambda_squared(self) -> Self {
-        self * self
-    }
-
-    #[inline]
-    fn omega(self) -> Self {
-        Frequency::<DoubleDouble>::omega(self)
-    }
-
-    #[inline]
-    fn from_parameter(parameter: f64) -> Self {
-        Frequency::<DoubleDouble>::from_parameter(DoubleDouble::from_f64(parameter))
     }
 }

@@ -266,7 +266,7 @@ impl<S: Scalar> Factor<'_, S> {
         if size > 0.0 { size / self.unknowns[slot].size } else { 0.0 }
     }
 
-    /// Lets the motions of a node leave that no other node has, and what has waited for them, but for those whose pivots are small.
+    /// Lets a node leave. An unknown leaves with the last node that holds it, and so do unknowns that wait; an unknown with a small pivot stays.
     pub(super) fn leave_node(&mut self, node: &NodeUnknowns) {
         for (_, slot) in node.slots() {
             let unknown = &mut self.unknowns[slot as usize];

@@ -10,7 +10,7 @@
 //! | [`units`], [`triangle`] | units of charts; places of entries in a triangle |
 //! | [`member`] | the chart of a member in displacements, with its borders; its motion, once unknowns are known |
 //! | [`join`] | a member joins the factor by the rows of its ends |
-//! | [`node_unknowns`] | the unknowns of a node, of which joints make some those of several |
+//! | [`node_unknowns`] | the unknowns of a node; nodes that a rigid joint ties share unknowns |
 //! | [`factor`], [`shear`] | the matrix of the unknowns that have not left; an unknown leaves; two whose pivots are small |
 //! | [`total`] | Δ and the count |
 //! | [`everywhere`] | loads on all unknowns |

@@ -7,7 +7,7 @@ pub struct MotionUnknown {
     pub(crate) slot: u32,
 }
 
-/// The unknowns of a node: its motions, of which some are those of other nodes as well, and some are at rest.
+/// The unknowns of a node, one for each motion. Several nodes may share an unknown; a motion at rest has none.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeUnknowns {
     pub(crate) motions: [Option<MotionUnknown>; 3],

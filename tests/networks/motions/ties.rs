@@ -1,4 +1,4 @@
-//! Rigid joints whose axes are those of the nodes, where what they tie is one unknown, beside joints whose axes or places are others.
+//! Rigid joints in the axes of their nodes, which share unknowns, beside rigid joints in other axes or at other places, whose forces are unknowns.
 #![expect(clippy::unwrap_used, reason = "the structures have the nodes and members that are asked for")]
 
 use crate::structure::{Element, End, Freedoms, Node, Section, Structure};

@@ -60,10 +60,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
         let frequency = x.modulus();
-        let value = match self.states_for(x, self.wanted()?) {
+        let wanted = self.wanted()?;
+        let value = match self.states_for(x, wanted) {
             Err(MotionError::Resonance { .. }) if x.is_zero() => self.limit_at_rest()?,
             // below the real axis a motion has the conjugate loss factor
-            Err(MotionError::LossFactor) => self.states(x.conjugate())?.value(self.entry)?.conjugate(),
+            Err(MotionError::LossFactor) => self.states_for(x.conjugate(), wanted)?.value(self.entry)?.conjugate(),
             states => states?.value(self.entry)?,
         };
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency }) }

@@ -7,6 +7,7 @@ use crate::number::even_waves::EvenWaves;
 use crate::number::frequency::{ComplexEigenvalue, Frequency, Parameter, Real, RealFrequency};
 use crate::number::products::{Operation, Products, on_machine};
 use crate::number::scalar::{Scalar, single};
+use crate::number::value::Value;
 use crate::number::wave_functions::WaveFunctions;
 use core::f64::consts;
 use core::ops::Mul;
@@ -302,31 +303,37 @@ impl Frequency<f64> for DoubleDouble {
     }
 }
 
-impl Mul<f64> for Dual<Complex<DoubleDouble>> {
-    type Output = Self;
+/// Complex frequencies of systems with `f64` parameters, with and without a derivative.
+macro_rules! complex_frequency {
+    ($($number:ty;)*) => {$(
+        impl Mul<f64> for $number {
+            type Output = Self;
 
-    #[inline]
-    fn mul(self, factor: f64) -> Self {
-        self * DoubleDouble::from_f64(factor)
-    }
+            #[inline]
+            fn mul(self, factor: f64) -> Self {
+                self * DoubleDouble::from_f64(factor)
+            }
+        }
+
+        impl Frequency<f64> for $number {
+            type Meaning = ComplexEigenvalue;
+            const IS_EXTENDED: bool = true;
+
+            #[inline]
+            fn lambda_squared(self) -> Self {
+                self * self
+            }
+
+            #[inline]
+            fn omega(self) -> Self {
+                Frequency::<DoubleDouble>::omega(self)
+            }
+
+            #[inline]
+            fn from_parameter(parameter: f64) -> Self {
+                Frequency::<DoubleDouble>::from_parameter(DoubleDouble::from_f64(parameter))
+            }
+        }
+    )*};
 }
-
-impl Frequency<f64> for Dual<Complex<DoubleDouble>> {
-    type Meaning = ComplexEigenvalue;
-    const IS_EXTENDED: bool = true;
-
-    #[inline]
-    fn lambda_squared(self) -> Self {
-        self * self
-    }
-
-    #[inline]
-    fn omega(self) -> Self {
-        Frequency::<DoubleDouble>::omega(self)
-    }
-
-    #[inline]
-    fn from_parameter(parameter: f64) -> Self {
-        Frequency::<DoubleDouble>::from_parameter(DoubleDouble::from_f64(parameter))
-    }
-}
+complex_frequency! { Value<Complex<DoubleDouble>>; Dual<Complex<DoubleDouble>>; }

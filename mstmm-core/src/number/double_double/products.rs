@@ -69,7 +69,7 @@ impl DoubleDouble {
     }
 
     /// The product.
-    // called, as sums and quotients are: in line, passes in extended precision were half of a program and of its compilation
+    // a call, as the sum is
     #[inline(never)]
     pub(super) fn times(self, other: Self) -> Self {
         on_machine(Times(self, other))

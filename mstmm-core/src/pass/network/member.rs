@@ -206,7 +206,7 @@ impl<T: Real> Placement<T> {
         }
     }
 
-    /// Whether the rows of an end have not been rounded: it stands at its node, and its axes are those of the plane.
+    /// Whether no row of an end has been rounded: the end stands at its node, and its axes are those of the plane.
     fn is_exact(&self, end: usize) -> bool {
         let [x, y]: [T; 2] = vector_of(&self.ends, end);
         let PlacedEnd { place, node, .. } = self.ends[end];

@@ -35,7 +35,7 @@ where
 {
 }
 
-/// Whose motions are found, besides those of all nodes: of other members they are zero.
+/// The members whose motions are found. Motions of nodes are always found; the motion of another member is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Wanted {
     /// Those of all members.
@@ -122,7 +122,7 @@ where
             *sum += moved;
         }
     }
-    // the forces of a joint by rows need those of all members
+    // the forces of a joint by rows follow from the forces of other members
     let needs_all = match wanted {
         Wanted::All => true,
         Wanted::Member(member) => network.placement(member).is_tie,

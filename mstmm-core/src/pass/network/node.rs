@@ -80,7 +80,7 @@ pub(super) const NONE: u32 = u32::MAX;
 /// What a motion of a node is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shared {
-    /// One of its own.
+    /// A motion that no joint ties to another node.
     Own,
     /// The motion of another node, to which a rigid joint ties it.
     With {

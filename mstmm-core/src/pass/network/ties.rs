@@ -5,7 +5,7 @@
 
 use crate::element::MemberNumbers;
 use crate::model::EndMotion;
-use crate::number::{Frequency, FrequencyPowers, Real};
+use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
 use crate::pass::network::loading::Loading;
 use crate::pass::network::member::Placement;
 use crate::pass::network::node::{Motions, NONE, Shared};
@@ -88,13 +88,13 @@ fn owner<T: Real>(motions: &[Motions<T>], node: usize, motion: usize) -> Shared 
 }
 
 /// What is known of a network under a load: its members, and the values of the motions of its nodes.
-pub(super) struct Solved<'a, S: crate::number::Scalar> {
+pub(super) struct Solved<'a, S: Scalar> {
     pub(super) stiffnesses: &'a [MemberStiffness<S>],
     pub(super) loading: &'a Loading<'a, S>,
     pub(super) at: &'a FrequencyPowers<S>,
 }
 
-/// Finds the motions of the joints by which nodes hang on others, given those of all other members: what hangs on a node comes before it.
+/// Finds the motions of the joints by which nodes hang on others, given the motions of all other members. A node follows all nodes that hang on it.
 ///
 /// `values` has the values of the motions of each node.
 pub(super) fn joints<Y, S>(
