@@ -2,7 +2,7 @@
 //!
 //! This crate is an implementation detail of `mstmm`, which re-exports what users need. Without
 //! the feature `std` (default) it uses neither `std` nor `alloc`, and `libm` has sine, cosine and exponential. With it large structures stand on the
-//! heap, and there are frames that the program describes. The feature `judge`
+//! heap, and there are frames that the program describes. The feature `proof`
 //! (default) adds the extended precision, double-double, in which doubtful results are computed again.
 #![no_std]
 #![forbid(unsafe_code)]

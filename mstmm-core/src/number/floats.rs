@@ -84,7 +84,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $judge:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {
+    ($type:ty, $extended:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {
         impl Scalar for $type {
             single!();
             const EPSILON: f64 = <$type>::EPSILON as f64;
@@ -168,7 +168,7 @@ macro_rules! real {
         }
 
         impl Real for $type {
-            type Extended = $judge;
+            type Extended = $extended;
 
             $($($kernel)*)?
 
@@ -195,10 +195,10 @@ macro_rules! real {
     };
 }
 
-/// The extended precision of `f64`; without the feature `judge` there is none, and programs are small.
-#[cfg(feature = "judge")]
+/// The extended precision of `f64`; without the feature `proof` there is none, and programs are small.
+#[cfg(feature = "proof")]
 type ExtendedOfDouble = DoubleDouble;
-#[cfg(not(feature = "judge"))]
+#[cfg(not(feature = "proof"))]
 type ExtendedOfDouble = f64;
 
 real! {
@@ -223,7 +223,7 @@ real! {
     }
     }
     {
-    const HAS_EXTENDED: bool = cfg!(feature = "judge");
+    const HAS_EXTENDED: bool = cfg!(feature = "proof");
 
     #[inline(always)]
     fn circular_and_hyperbolic(self) -> [Self; 4] {

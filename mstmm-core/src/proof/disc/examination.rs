@@ -28,6 +28,7 @@ const STEPS: usize = 5;
 const ROUNDS: usize = 8;
 
 /// The number of variables of a model, given memory for whether each is in use.
+#[cfg(feature = "std")]
 pub(crate) fn variables<N: Level<Word = f64, Alone = N>>(
     model: &dyn Visited,
     centre: ComplexBall<N>,

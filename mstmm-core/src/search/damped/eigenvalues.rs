@@ -13,7 +13,7 @@ use num_complex::Complex;
 /// The certified searches of damped systems; undamped ones have them, too.
 ///
 /// Eigenvalues that rounding has blurred (circles are wide, others are close) are found again in extended precision: double-double for
-/// `f64`. A search in which sums cancel or eigenvalues coincide is made again in it. Without the feature `judge` wide circles stay.
+/// `f64`. A search in which sums cancel or eigenvalues coincide is made again in it. Without the feature `proof` wide circles stay.
 ///
 /// Where something has a loss factor, regions lie above the real axis, below which no motion has it, and no eigenvalue has a mirror image. Where
 /// a member has a time c of Kelvin and Voigt, regions keep away from `λ = -1/c`, and so do the first eigenvalues.

@@ -40,7 +40,7 @@ pub struct Eigenvalue<T = f64> {
     /// Whether it is a theorem that the disc `|z - lambda| <= error` holds exactly one eigenvalue, with all rounding in its proof.
     ///
     /// Those of several eigenvalues are not proven, nor are systems with an element that is not known in numbers: a tapered beam, or one of the
-    /// user's own. Without the feature `judge` nothing is. That a list has all eigenvalues of a region is counted.
+    /// user's own. Without the feature `proof` nothing is. That a list has all eigenvalues of a region is counted.
     pub is_proven: bool,
 }
 

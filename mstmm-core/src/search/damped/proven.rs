@@ -30,7 +30,7 @@ impl<Y: System + ?Sized> Visited for Parts<'_, Y> {
 pub(super) fn prove_all<Y: System + ?Sized>(system: &Y, roots: &mut [Eigenvalue<Y::Parameter>]) {
     // discs are proven in two words, which say enough of an f64 alone
     let is_double = <Y::Parameter as Scalar>::EPSILON == f64::EPSILON;
-    if !cfg!(feature = "judge") || !is_double {
+    if !cfg!(feature = "proof") || !is_double {
         return;
     }
     let have_images = !system.frequency_estimates().has_loss();

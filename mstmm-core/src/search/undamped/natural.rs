@@ -16,7 +16,7 @@ use num_traits::Zero;
 ///
 /// A fast search proposes frequencies, and a proof decides: bounds of the count of Wittrick and Williams at both ends of an interval, with all
 /// rounding in them, in two words and where these do not do in four. What is not proven is bisected by proven counts, or refused with numbers,
-/// [`Unproven`](SearchError::Unproven). Without the feature `judge`, and for a system with an element that is known by its transfer matrix
+/// [`Unproven`](SearchError::Unproven). Without the feature `proof`, and for a system with an element that is known by its transfer matrix
 /// alone, results are those of the fast search: [`is_proven`](NaturalFrequency::is_proven) is false.
 ///
 /// A system with motions that grow, as of a column that buckles, has no list of frequencies: its searches say
@@ -62,7 +62,7 @@ pub trait NaturalFrequencies: System {
     /// Bounds of the number of natural frequencies below `omega` [rad/s], motions that grow included: at least so many, and at most so many. Both are
     /// proven; they differ where rounding decides the count, as at a frequency itself.
     ///
-    /// Where nothing is known, as without the feature `judge`, they are 0 and `u64::MAX`.
+    /// Where nothing is known, as without the feature `proof`, they are 0 and `u64::MAX`.
     #[inline]
     fn count_bounds(&self, omega: Self::Parameter) -> [u64; 2]
     where
@@ -237,13 +237,13 @@ fn ends<T: Real>(range: impl ClosedRange<T>) -> [T; 2] {
     [start, end]
 }
 
-/// What proves claims about a system; none without the feature `judge`, and where a part of it is not known in numbers.
+/// What proves claims about a system; none without the feature `proof`, and where a part of it is not known in numbers.
 #[inline]
 pub(crate) fn certification<'a, Y: Undamped + ?Sized>(
     system: &Y,
     parts: &'a Parts<'_, Y>,
 ) -> Option<Certification<'a, Y::Parameter>> {
-    if cfg!(feature = "judge") { Certification::new(parts, system.frequency_estimates()) } else { None }
+    if cfg!(feature = "proof") { Certification::new(parts, system.frequency_estimates()) } else { None }
 }
 
 /// Every frequency in a range.
