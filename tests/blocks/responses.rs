@@ -4,7 +4,7 @@ use crate::support::list_of_tree::{MOST, any, point, undamped};
 use crate::support::models::*;
 use crate::support::random_tree::{Random, varied_tree};
 use core::ops::Range;
-use mstmm::motion::{Entry, Load, MotionError, Point, Tree};
+use mstmm::motion::{Entry, Load, MotionError, Point, ExtendedTree};
 use mstmm::number::Oscillation;
 use mstmm::prelude::*;
 use mstmm_lanes::InstructionSet;
@@ -15,7 +15,7 @@ type C = Complex<f64>;
 /// Returns how many were compared.
 fn assert_response<Y, S>(system: &Y, load: Load<Y::Model>, entry: Entry<Y::Model>, grid: &[S]) -> usize
 where
-    Y: Tree<S>,
+    Y: ExtendedTree<S>,
     S: Oscillation<Y::Parameter>,
 {
     let Ok(response) = system.frequency_response(load, entry) else { return 0 };

@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --bench blocks`. Times are the least of many rounds; quote the ratios.
 
-use mstmm::motion::{Point, Tree};
+use mstmm::motion::{ExtendedTree, Point};
 use mstmm::number::{Oscillation, Scaled};
 use mstmm::prelude::*;
 use mstmm::search::{InBlocks, System};
@@ -99,7 +99,7 @@ fn counts<Y: Undamped + System<Parameter = f64>>(name: &str, system: &Y, end: f6
 /// The response at a point to a force there, of a system, at shares of a range of frequencies.
 fn responses<Y, S>(name: &str, system: &Y, point: Point<Y::Model>, at: impl Fn(f64) -> S) -> Result<(), Failure>
 where
-    Y: Tree<S> + System<Parameter = f64>,
+    Y: ExtendedTree<S> + System<Parameter = f64>,
     S: Oscillation<f64>,
 {
     let frequencies: Vec<S> = (1..=FREQUENCIES).map(|k| at((k as f64 - 0.3) / FREQUENCIES as f64)).collect();

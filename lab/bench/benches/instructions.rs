@@ -8,7 +8,7 @@ use gungraun::{library_benchmark, library_benchmark_group, main};
 use mstmm::prelude::*;
 
 use mstmm::element::ParameterError;
-use mstmm::motion::{ExtendedTree, FrequencyResponse, Root, Tree};
+use mstmm::motion::{ExtendedTree, FrequencyResponse, Root};
 use mstmm::number::{Oscillation, Scaled};
 use mstmm::search::{SearchError, System};
 use paper::models::{self, DampedOscillator, RestrainedBeam, SpringAndMass, TipBody, TwoSpans};
@@ -134,7 +134,7 @@ fn mode_shape<Y: ExtendedTree<R::Frequency> + System<Parameter = f64>, R: Root<f
 )]
 fn frequency_response<Y, S>(response: FrequencyResponse<'static, Y>, x: S) -> Option<S>
 where
-    Y: Tree<S> + System<Parameter = f64>,
+    Y: ExtendedTree<S> + System<Parameter = f64>,
     S: Oscillation<f64>,
 {
     black_box(&response).at(black_box(x)).ok()

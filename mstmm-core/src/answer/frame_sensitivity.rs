@@ -51,7 +51,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     ) -> Result<FrameSensitivities<'_, D, E, S>, MotionError>
     where
         S: PlaneFrequency<f64>,
-        E: MemberVisit<S> + MemberChart<S> + MemberChart<S::Precise> + MemberChart<S::WithSlope>,
+        E: MemberVisit<S> + MemberChart<S> + MemberChart<S::Extended> + MemberChart<S::WithSlope>,
     {
         let x = simple_root(root)?;
         if x.is_zero() {

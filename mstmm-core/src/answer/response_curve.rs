@@ -4,7 +4,8 @@ use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::root::Root;
 use crate::model::{MotionError, turns};
 use crate::number::{List, Oscillation, Real, Scalar, sort_by};
-use crate::pass::tree::{Planned, Tree};
+use crate::pass::characteristic::System;
+use crate::pass::tree::{ExtendedTree, Planned};
 use crate::search::ClosedRange;
 use core::ops::RangeInclusive;
 
@@ -50,8 +51,8 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
         tolerance: f64,
     ) -> Result<List<Sample<Y::Parameter, S>, CAP>, MotionError>
     where
-        Y: Tree<S>,
-        S: Oscillation<Y::Parameter>,
+        Y: ExtendedTree<S>,
+        S: Oscillation<<Y as System>::Parameter>,
     {
         refined(|x| self.at(x), &range.closed(), roots, tolerance)
     }

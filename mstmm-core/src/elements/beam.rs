@@ -115,7 +115,7 @@ impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 
     #[inline(always)]
     fn coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
-        let z = at.powers[0] * built.wave;
+        let z = built.z(at);
         let is_wave = S::Size::of(1.0).is_below(z.size());
         if is_wave.all() {
             return built.waving(z, at);
@@ -144,6 +144,33 @@ impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for Beam<T> {
 }
 
 impl<T: Parameter> BuiltBeam<T> {
+    /// `z = βl`; in extended precision from the parameters, since `build` has rounded.
+    #[inline(always)]
+    pub(super) fn z<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> S {
+        if S::IS_EXTENDED {
+            let Beam { length, .. } = self.parameters;
+            return at.powers[0] * self.density::<S>().sqrt().sqrt() * S::from_parameter(length);
+        }
+        at.powers[0] * self.wave
+    }
+
+    /// `-z⁴`, as [`z`](Self::z).
+    #[inline(always)]
+    pub(super) fn minus_z_fourth<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> S {
+        if S::IS_EXTENDED {
+            let square = S::from_parameter(self.parameters.length) * S::from_parameter(self.parameters.length);
+            return at.lambda_squared * self.density::<S>() * square * square;
+        }
+        at.lambda_squared * self.wave_fourth
+    }
+
+    /// `m/EI`, the fourth power of β over `ω²`.
+    #[inline(always)]
+    fn density<S: Frequency<T>>(&self) -> S {
+        let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
+        S::from_parameter(mass_per_length) / S::from_parameter(bending_stiffness)
+    }
+
     /// The coefficients for `|z| > 1`. In line where lanes need it, not where size counts: each beam of a model has them.
     #[cfg_attr(feature = "std", inline(always))]
     #[cfg_attr(not(feature = "std"), inline)]
@@ -175,7 +202,7 @@ impl<T: Parameter> BuiltBeam<T> {
     #[inline(always)]
     fn units<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> Units<S> {
         if S::IS_EXTENDED {
-            let number = S::from_parameter(self.wave) / S::from_parameter(self.parameters.length);
+            let number = self.density::<S>().sqrt().sqrt();
             return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
         }
         Units {
@@ -203,7 +230,7 @@ impl<T: Parameter> BuiltBeam<T> {
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[inline(always)]
     fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
-        let x = -at.lambda_squared * self.wave_fourth;
+        let x = -self.minus_z_fourth(at);
         let [c, b, f, d, e] = x.short_wave_products();
         let Units { factors, inverses } = self.short_units();
         BendingCoefficients {

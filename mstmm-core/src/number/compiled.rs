@@ -10,7 +10,6 @@ macro_rules! for_compiled_numbers {
             $crate::Complex<f32>;
             $crate::Complex<f64>;
             $crate::Complex<$crate::DoubleDouble>;
-            $crate::Value<$crate::Complex<f32>>;
             $crate::Value<$crate::Complex<$crate::DoubleDouble>>;
             $crate::Dual<f32>;
             $crate::Dual<f64>;

@@ -317,6 +317,7 @@ impl<T: Real> Parameter for Dual<T> {
 
 impl<T: Real> Real for Dual<T> {
     type Extended = Self;
+    type ExtendedComplex = Complex<Self>;
 
     const IS_ITS_WORDS: bool = false;
 

@@ -6,7 +6,10 @@ use crate::number::exponent::power_of_two;
 use crate::number::frequency::{Frequency, Parameter, Real, RealFrequency};
 use crate::number::kernel;
 use crate::number::scalar::{Scalar, single};
+#[cfg(feature = "proof")]
+use crate::number::value::Value;
 use crate::number::wave_functions::WaveFunctions;
+use num_complex::Complex;
 
 impl<T: Real> Frequency<T> for T {
     type Meaning = RealFrequency;
@@ -84,7 +87,7 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
 
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
-    ($type:ty, $extended:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {
+    ($type:ty, $extended:ty, $complex:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {
         impl Scalar for $type {
             single!();
             const EPSILON: f64 = <$type>::EPSILON as f64;
@@ -169,6 +172,7 @@ macro_rules! real {
 
         impl Real for $type {
             type Extended = $extended;
+            type ExtendedComplex = $complex;
 
             $($($kernel)*)?
 
@@ -195,14 +199,18 @@ macro_rules! real {
     };
 }
 
-/// The extended precision of `f64`; without the feature `proof` there is none, and programs are small.
+/// The extended precision of `f64`, and that of complex frequencies; without the feature `proof` there is none, and programs are small.
 #[cfg(feature = "proof")]
 type ExtendedOfDouble = DoubleDouble;
+#[cfg(feature = "proof")]
+type ExtendedComplex = Value<Complex<DoubleDouble>>;
 #[cfg(not(feature = "proof"))]
 type ExtendedOfDouble = f64;
+#[cfg(not(feature = "proof"))]
+type ExtendedComplex = Complex<f64>;
 
 real! {
-    f64, ExtendedOfDouble, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
+    f64, ExtendedOfDouble, ExtendedComplex, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
     {
     #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
@@ -245,7 +253,7 @@ real! {
     }
     }
 }
-real! { f32, f32, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }
+real! { f32, f32, Complex<f32>, 4, 20.0, libm::sqrtf, libm::sinf, libm::cosf, libm::sinhf, libm::coshf, libm::expf }
 
 #[cfg(test)]
 mod tests {

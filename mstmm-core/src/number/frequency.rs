@@ -45,6 +45,11 @@ pub trait Real: Parameter + Single + PartialOrd + NumAssign {
     /// The extended precision of this type; the type itself where there is none.
     type Extended: Real<Extended = Self::Extended> + Oscillation<Self>;
 
+    /// A complex frequency in extended precision; the complex number itself where there is none.
+    type ExtendedComplex: Oscillation<Self, Meaning = ComplexEigenvalue>
+        + From<Complex<Self::Extended>>
+        + Into<Complex<Self::Extended>>;
+
     /// Whether there is an extended precision.
     const HAS_EXTENDED: bool = false;
 

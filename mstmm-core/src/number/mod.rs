@@ -59,5 +59,4 @@ pub(crate) use task::{Part, Task, run};
 #[cfg(test)]
 pub(crate) use tolerance::assert_close;
 pub(crate) use truth::{Size, Truth};
-pub(crate) use value::Value;
 pub(crate) use wave_functions::{WaveFunctions, WaveProducts};

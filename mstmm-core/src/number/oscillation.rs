@@ -51,15 +51,16 @@ impl<T: Real> Oscillation<T> for T {
 }
 
 impl<T: Real> Oscillation<T> for Complex<T> {
-    type Extended = Self;
-    const HAS_EXTENDED: bool = false;
+    type Extended = T::ExtendedComplex;
+    const HAS_EXTENDED: bool = T::HAS_EXTENDED;
 
-    fn to_extended(self) -> Self {
-        self
+    fn to_extended(self) -> T::ExtendedComplex {
+        Complex::new(self.re.to_extended(), self.im.to_extended()).into()
     }
 
-    fn from_extended(value: Self) -> Self {
-        value
+    fn from_extended(value: T::ExtendedComplex) -> Self {
+        let Complex { re, im }: Complex<T::Extended> = value.into();
+        Complex::new(T::from_extended(re), T::from_extended(im))
     }
 
     fn to_complex(self) -> Complex<T> {

@@ -98,6 +98,18 @@ impl<S: Scalar> One for Value<S> {
     }
 }
 
+impl<T> From<Complex<T>> for Value<Complex<T>> {
+    fn from(number: Complex<T>) -> Self {
+        Value(number)
+    }
+}
+
+impl<T> From<Value<Complex<T>>> for Complex<T> {
+    fn from(Value(number): Value<Complex<T>>) -> Self {
+        number
+    }
+}
+
 /// Both numbers of a pair.
 #[inline(always)]
 fn both<S>((first, second): (S, S)) -> (Value<S>, Value<S>) {

@@ -242,15 +242,15 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        if !S::HAS_PRECISE {
+        if !S::HAS_EXTENDED {
             return self.motion_at_speed(x, load, wanted);
         }
         let along = self.along_members(load)?;
         let own = |member: usize, chart: &_| {
-            load_on_chart((self.system, x), (member, along.as_ref()[member]), chart, S::nearest, S::precise)
+            load_on_chart((self.system, x), (member, along.as_ref()[member]), chart, S::from_extended, S::to_extended)
         };
-        let load = acting_at::<Y, S::Precise>(self.system, self.load.acting)?;
-        Ok(motion_under(self.system, x.precise(), &Loading::Acting(load, &own), wanted).rounded(S::nearest))
+        let load = acting_at::<Y, S::Extended>(self.system, self.load.acting)?;
+        Ok(motion_under(self.system, x.to_extended(), &Loading::Acting(load, &own), wanted).rounded(S::from_extended))
     }
 
     /// Whether something vanishes at another frequency, too, far from one: then it does at all.
@@ -260,7 +260,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let low = S::nearest(S::steady(self.lowest_exponent()));
+        let low = S::from_extended(S::steady(self.lowest_exponent()));
         let other = if x.is_zero() { low } else { x * S::from_f64(ELSEWHERE) };
         Ok(self.motion(other, load, Wanted::Nodes)?.vanished_at.is_some())
     }

@@ -140,23 +140,23 @@ where
 {
     /// The motions under the load of a number and the next one at a frequency in extended precision, of the size 1.
     #[inline(never)]
-    fn precise_motions(&self, x: S::Precise, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
+    fn precise_motions(&self, x: S::Extended, number: u32) -> [NetworkMotion<Y, S::Extended>; 2] {
         motions_under(self.system, x, &self.load(number)).map(of_size_one)
     }
 
     /// The motions under the load of a number and the next one beside a root, less those on its other side: shapes of the root grow with opposite
     /// signs, and what others and the load leave is the same. At rest nothing is taken off: what vanishes there is rounding alone.
     #[inline(never)]
-    fn motions_beside(&self, number: u32) -> [NetworkMotion<Y, S::Precise>; 2] {
-        let x = self.x.precise();
+    fn motions_beside(&self, number: u32) -> [NetworkMotion<Y, S::Extended>; 2] {
+        let x = self.x.to_extended();
         if self.x.is_zero() {
             return self.precise_motions(x, number);
         }
         // without extended precision the distance is between its own rounding and that of the answer
-        let distance = if S::HAS_PRECISE { BESIDE * S::EPSILON } else { Scalar::sqrt(S::EPSILON) };
+        let distance = if S::HAS_EXTENDED { BESIDE * S::EPSILON } else { Scalar::sqrt(S::EPSILON) };
         let [above, below] = [distance, -distance]
-            .map(|distance| motions_under(self.system, x + x * S::Precise::from_f64(distance), &self.load(number)));
-        [0, 1].map(|load| of_size_one(above[load].plus(&below[load], -S::Precise::from_f64(1.0))))
+            .map(|distance| motions_under(self.system, x + x * S::Extended::from_f64(distance), &self.load(number)));
+        [0, 1].map(|load| of_size_one(above[load].plus(&below[load], -S::Extended::from_f64(1.0))))
     }
 
     /// The load of a number: forces on all displacements and dislocations, in the units of the root on both sides of it.
@@ -205,7 +205,7 @@ where
     fn check(&self, motion: &NetworkMotion<Y, S>, mass: S) -> Result<(), MotionError> {
         // rest has no size to compare with
         let (at, limit) = if self.x.is_zero() {
-            (S::nearest(S::steady(self.system.frequency_estimates().least_exponent() - REST)), 1.0)
+            (S::from_extended(S::steady(self.system.frequency_estimates().least_exponent() - REST)), 1.0)
         } else {
             (self.x, NO_ROOT)
         };
@@ -220,17 +220,17 @@ where
     /// less that of the root.
     #[inline(never)]
     fn motions_at_root(&self) -> [NetworkMotion<Y, S>; 2] {
-        let x = self.x.precise();
+        let x = self.x.to_extended();
         let rounded = ROUNDED[usize::from(!self.x.lambda().is_zero())] * S::EPSILON;
         let mut nearer = x;
         let mut motions = self.precise_motions(nearer, 0);
         for _ in 0..STEPS {
             let motion = &motions[0];
-            let plain = motion.rounded(S::nearest);
+            let plain = motion.rounded(S::from_extended);
             let mass = mass_product(self.system, self.x, &plain, &plain);
-            let step = motion.work / (mass * self.x.slope_of_lambda_squared()).precise();
+            let step = motion.work / (mass * self.x.slope_of_lambda_squared()).to_extended();
             let is_near = (nearer - step - x).size() <= rounded * x.size();
-            let is_settled = step.size() <= SETTLED * S::Precise::EPSILON * x.size();
+            let is_settled = step.size() <= SETTLED * S::Extended::EPSILON * x.size();
             // a NaN is no root either
             if !is_near || is_settled {
                 break;
@@ -238,7 +238,7 @@ where
             nearer -= step;
             motions = self.precise_motions(nearer, 0);
         }
-        motions.map(|motion| motion.rounded(S::nearest))
+        motions.map(|motion| motion.rounded(S::from_extended))
     }
 
     fn shape(&self, motion: NetworkMotion<Y, S>) -> PlaneShape<'a, Y, S> {
@@ -262,7 +262,7 @@ where
     /// left of one more motion, under another load, tells how far other roots take part.
     fn all<const CAP: usize>(&self, multiplicity: usize) -> Result<PlaneShapes<'a, Y, S, CAP>, MotionError> {
         let mut found = PlaneShapes { shapes: [const { None }; CAP] };
-        let mut motions = [const { None::<NetworkMotion<Y, S::Precise>> }; CAP];
+        let mut motions = [const { None::<NetworkMotion<Y, S::Extended>> }; CAP];
         // a factor has the motions of two numbers
         let (mut number, mut pair) = (0, self.motions_beside(0));
         let mut next = || {
@@ -282,7 +282,7 @@ where
                 best = if other.1 > best.1 { other } else { best };
             }
             let (motion, _) = best;
-            let rounded = motion.rounded(S::nearest);
+            let rounded = motion.rounded(S::from_extended);
             if self.is_defective(&rounded, S::one()) {
                 let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, shape.max(1) as u64);
                 return Err(MotionError::Defective { root, multiplicity, shapes });
@@ -299,20 +299,20 @@ where
     /// A motion without its parts in others, of unit modal mass, and what is left of it as a part of the whole.
     fn orthogonal(
         &self,
-        others: &[Option<NetworkMotion<Y, S::Precise>>],
-        mut motion: NetworkMotion<Y, S::Precise>,
-    ) -> Result<(NetworkMotion<Y, S::Precise>, f64), MotionError> {
-        let rounded = motion.rounded(S::nearest);
+        others: &[Option<NetworkMotion<Y, S::Extended>>],
+        mut motion: NetworkMotion<Y, S::Extended>,
+    ) -> Result<(NetworkMotion<Y, S::Extended>, f64), MotionError> {
+        let rounded = motion.rounded(S::from_extended);
         let whole = mass_product(self.system, self.x, &rounded, &rounded);
         self.check(&rounded, whole)?;
         let mut left = 1.0;
         for pass in 0..PASSES {
             for other in others.iter().flatten() {
-                let rounded = [&motion, other].map(|motion| motion.rounded(S::nearest));
+                let rounded = [&motion, other].map(|motion| motion.rounded(S::from_extended));
                 let part = mass_product(self.system, self.x, &rounded[0], &rounded[1]);
-                motion = motion.plus(other, (-part).precise());
+                motion = motion.plus(other, (-part).to_extended());
             }
-            let rounded = motion.rounded(S::nearest);
+            let rounded = motion.rounded(S::from_extended);
             let mass = mass_product(self.system, self.x, &rounded, &rounded);
             if !(mass.size() > 0.0 && mass.size().is_finite()) {
                 return Err(self.not_finite());
@@ -320,7 +320,7 @@ where
             if pass == 0 {
                 left = Scalar::sqrt(mass.size() / whole.size());
             }
-            motion = motion.times((S::one() / mass.sqrt()).precise());
+            motion = motion.times((S::one() / mass.sqrt()).to_extended());
         }
         Ok((motion, left))
     }
@@ -337,10 +337,10 @@ where
         return Err(MotionError::LossFactor);
     }
     let at_root = AtRoot { system, x };
-    let beside = at_root.simple(at_root.motions_beside(0).map(|motion| motion.rounded(S::nearest)));
+    let beside = at_root.simple(at_root.motions_beside(0).map(|motion| motion.rounded(S::from_extended)));
     match beside {
         Ok((shape, misfit)) if misfit <= RESOLVED => Ok(shape),
-        beside if x.is_zero() || !S::HAS_PRECISE => Err(match beside {
+        beside if x.is_zero() || !S::HAS_EXTENDED => Err(match beside {
             Ok((_, misfit)) => MotionError::Unresolved { root: x.modulus(), misfit },
             Err(error) => error,
         }),

@@ -20,7 +20,7 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
     }
 
     fn back_coefficients(built: &BuiltBeam<T>, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
-        let z = at.powers[0] * built.wave;
+        let z = built.z(at);
         if z.size() <= 1.0 {
             return built.short_links(at);
         }
@@ -105,7 +105,7 @@ impl<T: Real> BuiltBeam<T> {
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     fn short_links<S: Oscillation<T>>(&self, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
-        let x = -at.lambda_squared * self.wave_fourth;
+        let x = -self.minus_z_fourth(at);
         let functions = krylov(x);
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);

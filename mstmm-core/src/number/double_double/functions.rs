@@ -264,6 +264,7 @@ impl Real for DoubleDouble {
     }
 
     type Extended = Self;
+    type ExtendedComplex = Complex<Self>;
 
     fn exp(self) -> Self {
         if self.hi.is_nan() || self.hi.abs() >= EXP_LIMIT {

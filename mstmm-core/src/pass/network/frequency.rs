@@ -1,28 +1,16 @@
 //! The frequencies at which plane structures move.
 
-use crate::number::{Dual, Frequency, FrequencyPowers, Oscillation, Real, Scalar, Single, Value};
+use crate::number::{Dual, ExtendedOf, Frequency, FrequencyPowers, Oscillation, Real, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::network::placed::{PlacedCharts, PlacedMotions};
 use crate::structure::StructureScalar;
 use num_complex::Complex;
 
 /// A frequency at which motions of plane structures are computed: a real ω, or a complex λ.
-pub trait PlaneFrequency<T: Real>: Oscillation<T> + StructureScalar {
-    /// The number in extended precision, in which motions are computed.
-    type Precise: Frequency<T> + StructureScalar + Single;
-
-    /// Whether there is an extended precision.
-    const HAS_PRECISE: bool;
-
-    /// The number in extended precision.
-    fn precise(self) -> Self::Precise;
-
-    /// The number nearest to one in extended precision.
-    fn nearest(precise: Self::Precise) -> Self;
-
+pub trait PlaneFrequency<T: Real>: Oscillation<T, Extended: StructureScalar> + StructureScalar {
     /// The frequency of a steady vibration at `2^exponent` rad/s in extended precision.
-    fn steady(exponent: i32) -> Self::Precise {
-        Self::of_omega(T::from_f64(1.0)).precise().times_power_of_two(exponent)
+    fn steady(exponent: i32) -> Self::Extended {
+        Self::of_omega(T::from_f64(1.0)).to_extended().times_power_of_two(exponent)
     }
 
     /// The frequency with its slope.
@@ -50,17 +38,6 @@ where
 }
 
 impl<T: Real<Extended: StructureScalar> + StructureScalar> PlaneFrequency<T> for T {
-    type Precise = T::Extended;
-    const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
-
-    fn precise(self) -> T::Extended {
-        self.to_extended()
-    }
-
-    fn nearest(precise: T::Extended) -> T {
-        T::from_extended(precise)
-    }
-
     type WithSlope = Dual<T>;
 
     fn constant(self) -> Dual<T> {
@@ -76,22 +53,10 @@ impl<T: Real<Extended: StructureScalar> + StructureScalar> PlaneFrequency<T> for
     }
 }
 
-impl<T: Real> PlaneFrequency<T> for Complex<T>
+impl<T: Real<ExtendedComplex: StructureScalar>> PlaneFrequency<T> for Complex<T>
 where
     Complex<T>: StructureScalar<Size = f64, Truth = bool>,
-    Value<Complex<T::Extended>>: Frequency<T> + StructureScalar<Size = f64, Truth = bool>,
 {
-    type Precise = Value<Complex<T::Extended>>;
-    const HAS_PRECISE: bool = <T as Oscillation<T>>::HAS_EXTENDED;
-
-    fn precise(self) -> Value<Complex<T::Extended>> {
-        Value(Complex::new(self.re.to_extended(), self.im.to_extended()))
-    }
-
-    fn nearest(Value(precise): Value<Complex<T::Extended>>) -> Self {
-        Complex::new(T::from_extended(precise.re), T::from_extended(precise.im))
-    }
-
     type WithSlope = Dual<Complex<T>>;
 
     fn constant(self) -> Dual<Complex<T>> {
@@ -111,7 +76,7 @@ where
 type WithSlope<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::WithSlope;
 
 /// The frequency of a plane structure `Y` in extended precision.
-type Precise<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::Precise;
+type Precise<Y, S> = ExtendedOf<S, <Y as System>::Parameter>;
 
 /// A plane structure whose motions are known at a frequency, and in its extended precision.
 #[diagnostic::on_unimplemented(

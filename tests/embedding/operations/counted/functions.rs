@@ -2,6 +2,7 @@
 
 use super::Counted;
 use super::tape::{self, Operation, Origin};
+use mstmm::Complex;
 use mstmm::number::{EvenWaves, Parameter, Real, Scalar, WaveFunctions};
 
 impl Counted {
@@ -97,6 +98,7 @@ impl Parameter for Counted {
 
 impl Real for Counted {
     type Extended = Self;
+    type ExtendedComplex = Complex<Self>;
 
     fn exp(self) -> Self {
         self.unary(Operation::Exponential, self.value.exp())
