@@ -20,9 +20,9 @@ fn own(step: usize, system: &Planned<AnyUndamped<f64>>) -> (Load<InList>, Entry<
     }
 }
 
-/// The same in twice the digits differs by some roundings of Δ, and those of the waves, over the distance to the root.
+/// The same model of numbers with twice the digits answers the same, however near a root is.
 #[test]
-fn responses_lose_no_more_digits_than_the_distance_takes() {
+fn responses_lose_no_digits_beside_a_root() {
     let mut compared = 0;
     for seed in (1..80).step_by(2) {
         let tree = varied_tree(seed);
@@ -57,9 +57,8 @@ fn responses_lose_no_more_digits_than_the_distance_takes() {
                 for (actual, exact) in all {
                     // a support takes a load at it, and nothing moves
                     let error = if largest == 0.0 { actual.abs() } else { (actual - exact).abs() / largest };
-                    let limit = 64.0 * f64::EPSILON * tree.len() as f64 / distance;
                     assert!(
-                        error <= limit,
+                        error <= f64::EPSILON,
                         "seed {seed}, {omega}, {distance:e}: {actual} {exact} {error:e}\nvec!{tree:?}"
                     );
                     compared += 1;
@@ -111,8 +110,8 @@ fn just_above_rest_beams_between_supports_keep_their_digits() {
                     let wide = Complex::new(DoubleDouble::from(0.0), DoubleDouble::from(omega));
                     let actual = system.frequency_response(load, entry).unwrap().at(omega).unwrap();
                     let expected = exact.frequency_response(load, entry).unwrap().at(wide).unwrap().re.to_f64();
-                    // lengths and stiffnesses are of order one, and so are forces; displacements are a tenth of it
-                    assert!((actual - expected).abs() < 64.0 * f64::EPSILON, "{ends:?} {omega}: {actual} {expected}");
+                    // lengths and stiffnesses are of order one, and so are forces
+                    assert!((actual - expected).abs() <= f64::EPSILON, "{ends:?} {omega}: {actual} {expected}");
                 }
             }
         }
@@ -148,7 +147,7 @@ fn close_roots_keep_their_own_sensitivities() {
             let sensitivity = system.sensitivity(&root).unwrap();
             let [own, other] = [own, other].map(|step| sensitivity.of(system.parameter(step, "stiffness").unwrap()));
             let scale = omega / (2.0 * stiffness);
-            let limit = 64.0 * f64::EPSILON / gap * scale;
+            let limit = 64.0 * f64::EPSILON * scale;
             assert!((own - Complex::new(0.0, scale)).norm() < limit, "{gap}: {own}");
             assert!(other.norm() < limit, "{gap}: {other}");
         }

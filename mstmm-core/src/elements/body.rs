@@ -50,6 +50,8 @@ pub struct BuiltBody<T> {
     mass: T,
     /// `J_C = J_I - m c1²`; below zero where the rounding of J_I has put it there.
     central_inertia: T,
+    /// What rounding took from it.
+    rest_of_inertia: T,
     /// What was given of it.
     inertia: Inertia<T>,
     /// b1 and c1.
@@ -69,14 +71,15 @@ pub(crate) enum Inertia<T> {
 
 impl<T: Parameter> BuiltBody<T> {
     fn new(mass: T, inertia: Inertia<T>, [output_x, centre_x]: [T; 2]) -> Self {
-        let central_inertia = match inertia {
+        let [central_inertia, rest_of_inertia] = match inertia {
             // the product must be exact, since for a mass on a long arm the difference may be rounding alone
             Inertia::AboutInput(inertia) => inertia.minus_product([mass, centre_x, centre_x]),
-            Inertia::AboutCentre(inertia) => inertia,
+            Inertia::AboutCentre(inertia) => [inertia, T::zero()],
         };
         BuiltBody {
             mass,
             central_inertia,
+            rest_of_inertia,
             inertia,
             levers: Levers::new(Arm::new(output_x), Arm::new(centre_x)),
             centre_to_output: Arm::between(centre_x, output_x),
@@ -202,8 +205,11 @@ struct Behind<S> {
 impl<T: Parameter, S: Frequency<T>> BodyCoefficients<T, S> {
     #[inline(always)]
     fn new(built: &BuiltBody<T>, lambda_squared: S) -> Self {
-        let BuiltBody { mass, central_inertia, levers, centre_to_output, .. } = *built;
-        let (a, j) = (lambda_squared * mass, lambda_squared * central_inertia);
+        let BuiltBody { mass, central_inertia, rest_of_inertia, levers, centre_to_output, .. } = *built;
+        let (a, mut j) = (lambda_squared * mass, lambda_squared * central_inertia);
+        if S::IS_EXTENDED {
+            j += lambda_squared * rest_of_inertia;
+        }
         let to_output = centre_to_output.times(a);
         BodyCoefficients { a, j, to_output, about_output: j + centre_to_output.times(to_output), levers }
     }

@@ -213,11 +213,11 @@ real! {
     f64, ExtendedOfDouble, ExtendedComplex, 6, 100.0, libm::sqrt, libm::sin, libm::cos, libm::sinh, libm::cosh, libm::exp,
     {
     #[inline]
-    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> [Self; 2] {
         let product = DoubleDouble::from_product(a, b) * DoubleDouble::from_f64(c);
-        let exact = (DoubleDouble::from_f64(self) - product).to_f64();
+        let words = (DoubleDouble::from_f64(self) - product).words();
         // parts of a product leave the range earlier than the product
-        if exact.is_finite() { exact } else { self - a * b * c }
+        if words.iter().all(|word| word.is_finite()) { words } else { [self - a * b * c, 0.0] }
     }
 
     #[inline]

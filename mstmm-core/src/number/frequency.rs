@@ -24,10 +24,10 @@ pub trait Parameter: Scalar {
         [self.to_f64(), 0.0]
     }
 
-    /// `self - a b c`, rounded once where there is an extended precision. The difference may be far smaller than the product.
+    /// `self - a b c`, and what rounding takes from it, where there is an extended precision. The difference may be far smaller than the product.
     #[inline]
-    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
-        self - a * b * c
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> [Self; 2] {
+        [self - a * b * c, Self::zero()]
     }
 
     /// `self - other`, and what rounding takes from it, where there is an extended precision.

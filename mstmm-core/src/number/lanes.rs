@@ -315,9 +315,8 @@ impl Parameter for Lanes<Plain> {
         self.0.numbers()[0]
     }
 
-    fn minus_product(self, [a, b, c]: [Self; 3]) -> Self {
-        let [difference] = each([self, a, b, c], |[number, a, b, c]| [number.minus_product([a, b, c])]);
-        difference
+    fn minus_product(self, [a, b, c]: [Self; 3]) -> [Self; 2] {
+        each([self, a, b, c], |[number, a, b, c]| number.minus_product([a, b, c]))
     }
 
     fn difference(self, other: Self) -> [Self; 2] {
