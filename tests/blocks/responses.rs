@@ -4,7 +4,7 @@ use crate::support::list_of_tree::{MOST, any, point, undamped};
 use crate::support::models::*;
 use crate::support::random_tree::{Random, varied_tree};
 use core::ops::Range;
-use mstmm::motion::{Entry, Load, MotionError, Point, ExtendedTree};
+use mstmm::motion::{Entry, ExtendedTree, Load, MotionError, Point};
 use mstmm::number::Oscillation;
 use mstmm::prelude::*;
 use mstmm_lanes::InstructionSet;

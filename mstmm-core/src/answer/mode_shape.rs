@@ -70,54 +70,39 @@ where
     if is_below_losses(system, x) {
         return Err(MotionError::LossFactor);
     }
-    let plain = plainly(system, x);
     if !S::HAS_EXTENDED {
-        return plain?.accepted();
+        return at_root(system, x)?.accepted();
     }
-    // the root needs more digits, too: they are sought at the point where the shape shows best
-    let point = match plain {
-        Ok(shape) => shape.source,
-        Err(MotionError::NotARoot { .. }) => system.scheme().len() - 2,
-        Err(error) => return Err(error),
-    };
-    let nearer = nearer_root(system, x.to_extended(), point);
-    ModeShape::of_extended(&plainly(system, nearer)?).accepted()
+    let nearer = nearer_root(system, x.to_extended())?;
+    ModeShape::of_extended(&at_root(system, nearer)?).accepted()
 }
 
-/// The root after a step of the secant method with Δ at a point, from a value rounded to fewer digits.
-fn nearer_root<S, Y>(system: &Y, x: S, point: usize) -> S
+/// The root after a step of the secant method with Δ at the point where the shape shows best, from a value rounded to fewer digits.
+fn nearer_root<S, Y>(system: &Y, x: S) -> Result<S, MotionError>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
-    let delta = |x: S| {
-        let mut passes = Passes::from_tips(system, x, |_| true);
-        passes.down_to(point);
-        passes.meeting(point).delta()
-    };
-    let (away, own) = (x + x * S::from_f64(NEAR), delta(x));
-    let ratio = delta(away).over(own).value();
+    let passes = Passes::whole(system, x);
+    let point = passes.dominant().ok_or(MotionError::NotFinite { frequency: x.modulus() })?.step;
+    let beside = x + x * S::from_f64(NEAR);
+    let mut away = Passes::from_tips(system, beside, |_| true);
+    away.down_to(point);
+    let ratio = away.meeting(point).delta().over(passes.meeting(point).delta()).value();
     let step = x * S::from_f64(NEAR) / (ratio - S::one());
     // where Δ is zero, or as small as it can be, there is nothing to gain
-    if step.size() <= NEAR * x.size() { x - step } else { x }
+    Ok(if step.size() <= NEAR * x.size() { x - step } else { x })
 }
 
 /// The shape of a simple root, in the precision of `S` alone.
-fn plainly<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
+fn at_root<S, Y>(system: &Y, x: S) -> Result<ModeShape<'_, Y, S>, MotionError>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
     let frequency = x.modulus();
     let passes = Passes::whole(system, x);
-    let mut best: Option<(Candidate, Magnitude)> = None;
-    passes.for_each_candidate(|candidate| {
-        let energy = passes.energy(&candidate);
-        if best.is_none_or(|(_, most)| energy > most) {
-            best = Some((candidate, energy));
-        }
-    });
-    let Some((best, _)) = best else { return Err(MotionError::NotFinite { frequency }) };
+    let Some(best) = passes.dominant() else { return Err(MotionError::NotFinite { frequency }) };
     let square = passes.meeting(best.step).square(best.coordinate);
     // the difference of the states on both sides of the point, compared with usual states there
     let jump = passes.meeting(best.step).delta().over(square);
@@ -137,8 +122,20 @@ where
 }
 
 impl<S: Single, Y: Tree<S> + ?Sized> Passes<'_, Y, S> {
+    /// The entry with the largest energy.
+    fn dominant(&self) -> Option<Candidate> {
+        let mut best: Option<(Candidate, Magnitude)> = None;
+        self.for_each_candidate(|candidate| {
+            let energy = self.energy(&candidate);
+            if best.is_none_or(|(_, most)| energy > most) {
+                best = Some((candidate, energy));
+            }
+        });
+        best.map(|(candidate, _)| candidate)
+    }
+
     /// The square of an entry as an energy, times Δ and a constant.
-    pub(crate) fn energy(&self, candidate: &Candidate) -> Magnitude {
+    fn energy(&self, candidate: &Candidate) -> Magnitude {
         let square = self.meeting(candidate.step).square(candidate.coordinate);
         Scaled::new(square.mantissa().size() * candidate.unit, square.exponent()).into()
     }

@@ -42,7 +42,7 @@ const RETRIES: usize = 4;
 /// The modal mass of a shape beside that of its size, below which two roots share it.
 const DEFECTIVE: f64 = 1e-5;
 
-/// The difference of shapes under two loads beyond which other roots are too close for any precision.
+/// The difference of shapes under two loads beyond which other roots are too close for any precision. What is less is rounding, and no shape.
 const RESOLVED: f64 = 1e-9;
 
 /// The motion of a plane structure at a root, normalised to unit modal mass; dereferences to its states.
@@ -281,9 +281,9 @@ where
                 let other = self.orthogonal(&motions[..shape], next())?;
                 best = if other.1 > best.1 { other } else { best };
             }
-            let (motion, _) = best;
+            let (motion, left) = best;
             let rounded = motion.rounded(S::from_extended);
-            if self.is_defective(&rounded, S::one()) {
+            if left < RESOLVED || self.is_defective(&rounded, S::one()) {
                 let (root, multiplicity, shapes) = (self.x.modulus(), multiplicity as u64, shape.max(1) as u64);
                 return Err(MotionError::Defective { root, multiplicity, shapes });
             }
@@ -314,11 +314,15 @@ where
             }
             let rounded = motion.rounded(S::from_extended);
             let mass = mass_product(self.system, self.x, &rounded, &rounded);
-            if !(mass.size() > 0.0 && mass.size().is_finite()) {
-                return Err(self.not_finite());
-            }
             if pass == 0 {
                 left = Scalar::sqrt(mass.size() / whole.size());
+            }
+            // rounding is no shape
+            if left < RESOLVED {
+                break;
+            }
+            if !(mass.size() > 0.0 && mass.size().is_finite()) {
+                return Err(self.not_finite());
             }
             motion = motion.times((S::one() / mass.sqrt()).to_extended());
         }
