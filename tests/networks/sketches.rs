@@ -12,6 +12,7 @@ mod lists;
 mod overall;
 mod run_time;
 mod strings;
+mod tapered;
 
 use crate::checks::Found;
 use crate::judgement::{judge_frequencies, judge_reference_cases};

@@ -8,9 +8,11 @@ use crate::subspace::{RootCounter, Subspace};
 use mstmm_plan::Support;
 use nalgebra::Matrix4;
 use profile::Profile;
-use walk::Tapered;
+pub(crate) use walk::Tapered;
 
+mod chart;
 mod inside;
+mod member;
 mod motion;
 mod part;
 mod profile;
@@ -166,6 +168,12 @@ impl<T: Parameter> TaperedBeam<T> {
 }
 
 impl<T: Parameter> BuiltTaperedBeam<T> {
+    /// The beam of another length at a frequency, seen from its input end.
+    fn of_length<S: Frequency<T>>(&self, lambda_squared: S, length: S) -> Tapered<S> {
+        let parameters = TaperedBeam { length, ..self.parameters.map(S::from_parameter) };
+        Tapered::new(parameters, self.parameters.map(T::to_f64), lambda_squared, false)
+    }
+
     /// The beam at a frequency.
     fn at<S: Frequency<T>>(&self, lambda_squared: S) -> Tapered<S> {
         Tapered::new(

@@ -1,6 +1,6 @@
 //! A frame member by member: a node has up to three variables, from the first member that knows it until it leaves.
 
-use crate::element::{Exact, MemberNumbers, OwnPart};
+use crate::element::{Exact, MemberNumbers, OwnPart, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::join::{Failure, Join};
 use crate::proof::row::{Row, TERMS, difference, direction};
@@ -156,6 +156,13 @@ impl Nodes {
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
                 joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
             }
+            MemberNumbers::Tapered(beam) => match exact_length(ends) {
+                Some(length) => {
+                    let ends = [&first[1], &first[2], &second[1], &second[2]];
+                    joining.add_tapered(&TaperedNumbers { length, ..*beam }, ends.map(|row| row.terms()));
+                }
+                None => joining.fail(Failure::NotInNumbers),
+            },
             MemberNumbers::String(lines) => {
                 for (line, freedom) in lines.iter().zip([0, 1]) {
                     let ends = [first[freedom].terms(), second[freedom].terms()];
@@ -251,6 +258,19 @@ impl Nodes {
     }
 }
 
+/// The distance of two places of a line, which is the sum of two words exactly where each coordinate is one word.
+fn exact_length(ends: &[MemberEnd; 2]) -> Option<Exact> {
+    let [[from, from_y], [to, to_y]] = [ends[0].place, ends[1].place];
+    if from[1] != 0.0 || to[1] != 0.0 || from_y != to_y {
+        return None;
+    }
+    let (from, to) = if from[0] < to[0] { (from[0], to[0]) } else { (to[0], from[0]) };
+    // the error of a sum of two words is a word (Knuth)
+    let length = to - from;
+    let part = length - to;
+    Some([length, (to - (length - part)) - (from + part)])
+}
+
 /// What a displacement is more than another one times a ratio.
 fn gap<J: Join>(rows: [&EndRow<J::Alone>; 2], ratio: Ball<J::Alone>) -> Row<J::Alone, TERMS> {
     let mut gap = rows[1].widened::<{ TERMS }>();
@@ -275,6 +295,7 @@ fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
 fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
     match &numbers.parted().0 {
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
+        MemberNumbers::Tapered(_) => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Beam(_) => Freedoms::ALL,
         MemberNumbers::String(_) => Freedoms::X.union(Freedoms::Y),
         MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],

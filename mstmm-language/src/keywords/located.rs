@@ -127,7 +127,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         instead: [Some("hinge"), None],
         ..keyword("slider", Role::Joint, Freedoms::ALL)
     },
-    refused("tapered_beam", ["beam"; 2]),
+    LocatedKeyword { instead: [None, Some("beam")], ..keyword("tapered_beam", Role::Member, Freedoms::ALL) },
 ];
 
 /// The support that names what it holds.

@@ -1,9 +1,9 @@
 //! The general beam beside the exponential of its equations, in twice the digits, and limit cases.
 
-use super::chart::Relation;
 use super::compound::GeneralCompound;
 use super::*;
 use crate::element::Charted;
+use crate::elements::shared::relation::Relation;
 use crate::number::{DoubleDouble, Scalar};
 use crate::structure::Chart;
 use num_traits::{One, Zero};

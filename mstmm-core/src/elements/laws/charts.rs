@@ -106,6 +106,7 @@ fn charts_are_transfer_matrices_of_all_charted_elements() {
     charts_are_transfer_matrices::<Shaft<f64>>();
     charts_are_transfer_matrices::<Beam<f64>>();
     charts_are_transfer_matrices::<InPlane<Beam<f64>>>();
+    charts_are_transfer_matrices::<TaperedBeam<f64>>();
     charts_are_transfer_matrices::<GeneralBeam<f64>>();
     charts_are_transfer_matrices::<InPlane<GeneralBeam<f64>>>();
     charts_are_transfer_matrices::<DampedSpring<f64>>();

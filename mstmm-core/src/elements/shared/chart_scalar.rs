@@ -2,6 +2,7 @@
 
 use crate::elements::shared::bending_chart::BendingWaves;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
+use crate::elements::tapered_beam::Tapered;
 use crate::number::for_compiled_numbers;
 use crate::structure::{Chart, StructureScalar};
 
@@ -14,6 +15,10 @@ pub trait ChartScalar: StructureScalar {
     /// Enters the longitudinal vibration of a beam into its chart, at the places of the displacements of both ends.
     #[doc(hidden)]
     fn enter_longitudinal(waves: &LongitudinalWaves<Self>, chart: &mut Chart<Self>, places: [usize; 2]);
+
+    /// Enters a tapered beam into its chart, at the places of deflections and rotations of both ends.
+    #[doc(hidden)]
+    fn enter_tapered(beam: &Tapered<Self>, chart: &mut Chart<Self>, places: [usize; 4]);
 }
 
 /// Compiles charts of numbers.
@@ -27,6 +32,10 @@ macro_rules! compiled {
             fn enter_longitudinal(waves: &LongitudinalWaves<Self>, chart: &mut Chart<Self>, places: [usize; 2]) {
                 waves.enter(chart, places);
             }
+
+            fn enter_tapered(beam: &Tapered<Self>, chart: &mut Chart<Self>, places: [usize; 4]) {
+                beam.enter(chart, places);
+            }
         }
     )*};
 }
@@ -39,4 +48,6 @@ impl<V: crate::number::lanes::Waving> ChartScalar for mstmm_lanes::Lanes<V> {
     fn enter_bending(_waves: &BendingWaves<Self>, _chart: &mut Chart<Self>, _places: [usize; 4]) {}
 
     fn enter_longitudinal(_waves: &LongitudinalWaves<Self>, _chart: &mut Chart<Self>, _places: [usize; 2]) {}
+
+    fn enter_tapered(_beam: &Tapered<Self>, _chart: &mut Chart<Self>, _places: [usize; 4]) {}
 }

@@ -20,6 +20,7 @@ pub(crate) mod line_forms;
 pub(crate) mod line_step;
 pub(crate) mod longitudinal_chart;
 pub(crate) mod massless;
+pub(crate) mod relation;
 pub(crate) mod rod_motion;
 pub(crate) mod same_built;
 pub(crate) mod section_gradient;

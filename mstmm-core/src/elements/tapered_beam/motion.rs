@@ -106,7 +106,7 @@ impl<T: Real> BuiltTaperedBeam<T> {
 
     /// `∂L/∂p` by the densities of `L = ½ ∫ M²/EI + N Θ² + (m (λ² - Ω² sin² ψ) + k) Y² + λ² r Θ²`, each times the relative derivative of what stands in it. A longer
     /// beam is the same shape over another length, less the work at the ends that turns them back.
-    fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> TaperedBeam<S> {
+    pub(super) fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> TaperedBeam<S> {
         let profile: Profile<S> = self.at(ends.x.lambda_squared()).profile;
         let beam = self.parameters.map(S::from_parameter);
         let inverse = S::one() / beam.length;
