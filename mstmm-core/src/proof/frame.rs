@@ -3,7 +3,7 @@
 use crate::element::{Exact, MemberNumbers, OwnPart, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::join::{Failure, Join};
-use crate::proof::row::{Row, TERMS, difference, direction};
+use crate::proof::row::{Row, TERMS, difference, direction, exact_distance};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
 
@@ -156,7 +156,7 @@ impl Nodes {
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
                 joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
             }
-            MemberNumbers::Tapered(beam) => match exact_length(ends) {
+            MemberNumbers::Tapered(beam) => match length_along(ends) {
                 Some(length) => {
                     let ends = [&first[1], &first[2], &second[1], &second[2]];
                     joining.add_tapered(&TaperedNumbers { length, ..*beam }, ends.map(|row| row.terms()));
@@ -258,17 +258,11 @@ impl Nodes {
     }
 }
 
-/// The distance of two places of a line, which is the sum of two words exactly where each coordinate is one word.
-fn exact_length(ends: &[MemberEnd; 2]) -> Option<Exact> {
+/// The distance of two places of a line, each of which is a word; it is the sum of two words.
+fn length_along(ends: &[MemberEnd; 2]) -> Option<Exact> {
     let [[from, from_y], [to, to_y]] = [ends[0].place, ends[1].place];
-    if from[1] != 0.0 || to[1] != 0.0 || from_y != to_y {
-        return None;
-    }
-    let (from, to) = if from[0] < to[0] { (from[0], to[0]) } else { (to[0], from[0]) };
-    // the error of a sum of two words is a word (Knuth)
-    let length = to - from;
-    let part = length - to;
-    Some([length, (to - (length - part)) - (from + part)])
+    let are_words = from[1] == 0.0 && to[1] == 0.0 && from_y == to_y;
+    are_words.then(|| exact_distance(from[0], to[0]))
 }
 
 /// What a displacement is more than another one times a ratio.
