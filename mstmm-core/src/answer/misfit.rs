@@ -90,8 +90,12 @@ where
     }
 
     /// Refuses a shape whose states do not fit together. One that is not doubtful is not refused.
+    ///
+    /// A motion between the ends of an element follows from the states there. Where it is trapped inside, these are rounding, and its modal mass is not 1.
     pub(crate) fn check(&self) -> Result<(), MotionError> {
+        let trapped = (self.modal_mass() - S::one()).size();
         let misfit = self.misfit();
+        let misfit = if trapped <= misfit { misfit } else { trapped };
         if misfit <= REFUSED_MISFIT * S::EPSILON {
             return Ok(());
         }

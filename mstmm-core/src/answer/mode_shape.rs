@@ -12,8 +12,14 @@ use crate::pass::tree::{ExtendedTree, Tree};
 use core::fmt;
 use core::ops::Deref;
 
-/// Relative step of the secant method, large beside the rounding of a root and small beside the distance of other roots.
+/// Relative step of the secant method: as large as the rounding of a root, so that another root as near as a hundred roundings does not matter.
+const STEP: f64 = f64::EPSILON;
+
+/// Relative distance beyond which a root is not the number rounded. Eigenvalues are less exact than natural frequencies.
 const NEAR: f64 = 1e-13;
+
+/// Part by which the square of an entry may differ from the residue of its response. Another root takes part in that by the step over its distance.
+const TRAPPED: f64 = 0.1;
 
 /// The motion of a system at a root, normalised to unit modal mass; dereferences to its states.
 ///
@@ -74,24 +80,54 @@ where
         return at_root(system, x)?.accepted();
     }
     let nearer = nearer_root(system, x.to_extended())?;
-    ModeShape::of_extended(&at_root(system, nearer)?).accepted()
+    let shape = at_root(system, nearer.x)?;
+    if let Some(misfit) = nearer.misfit(&shape).filter(|misfit| *misfit > TRAPPED) {
+        return Err(MotionError::Unresolved { root: x.modulus(), misfit });
+    }
+    ModeShape::of_extended(&shape).accepted()
+}
+
+/// A root with more digits, and what the slope of Δ there says of its shape.
+struct Nearer<S> {
+    x: S,
+    /// The entry in which the shape shows best.
+    best: Candidate,
+    /// The square of that entry in a shape of unit modal mass: the residue of its response in λ².
+    square: S,
+}
+
+impl<S: Single> Nearer<S> {
+    /// What the square of an entry in an undamped shape differs by from the residue, as a part of it. The modal mass of a shape follows from the states at
+    /// the ends of elements. Where a motion is trapped inside an element, these are rounding.
+    fn misfit<Y>(&self, shape: &ModeShape<'_, Y, S>) -> Option<f64>
+    where
+        Y: Tree<S> + ?Sized,
+        S: Oscillation<Y::Parameter>,
+    {
+        let entry = shape.at(self.best.step, false).entry(self.best.coordinate);
+        let ratio = (entry * entry).size() / self.square.size();
+        let is_known = self.x.lambda().is_zero() && !self.x.is_zero() && self.square.size().is_finite();
+        is_known.then(|| (ratio - 1.0).abs())
+    }
 }
 
 /// The root after a step of the secant method with Δ at the point where the shape shows best, from a value rounded to fewer digits.
-fn nearer_root<S, Y>(system: &Y, x: S) -> Result<S, MotionError>
+fn nearer_root<S, Y>(system: &Y, x: S) -> Result<Nearer<S>, MotionError>
 where
     Y: Tree<S> + ?Sized,
     S: Oscillation<Y::Parameter>,
 {
     let passes = Passes::whole(system, x);
-    let point = passes.dominant().ok_or(MotionError::NotFinite { frequency: x.modulus() })?.step;
-    let beside = x + x * S::from_f64(NEAR);
+    let best = passes.dominant().ok_or(MotionError::NotFinite { frequency: x.modulus() })?;
+    let (point, delta) = (best.step, passes.meeting(best.step).delta());
+    let beside = x + x * S::from_f64(STEP);
     let mut away = Passes::from_tips(system, beside, |_| true);
     away.down_to(point);
-    let ratio = away.meeting(point).delta().over(passes.meeting(point).delta()).value();
-    let step = x * S::from_f64(NEAR) / (ratio - S::one());
+    let ratio = away.meeting(point).delta().over(delta).value();
+    let step = x * S::from_f64(STEP) / (ratio - S::one());
     // where Δ is zero, or as small as it can be, there is nothing to gain
-    Ok(if step.size() <= NEAR * x.size() { x - step } else { x })
+    let square = passes.meeting(point).square(best.coordinate).over(delta).value() * step * x.slope_of_lambda_squared();
+    Ok(Nearer { x: if step.size() <= NEAR * x.size() { x - step } else { x }, best, square })
 }
 
 /// The shape of a simple root, in the precision of `S` alone.

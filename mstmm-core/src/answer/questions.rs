@@ -44,7 +44,7 @@ pub trait ModalAnalysis: System {
     /// # Errors
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](ModalAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots
-    /// are so close that the states do not fit together; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
+    /// are so close that the states do not fit together, or where the motion is trapped inside an element; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
     fn mode_shape<S>(
         &self,
         root: &impl Root<<Self as System>::Parameter, Frequency = S>,

@@ -103,7 +103,9 @@ impl<T: Parameter> Element for TaperedBeam<T> {
             let powers = [("bending_stiffness", self.bending_stiffness), ("length", self.length)];
             return Err(InvalidParameter::most_extreme(powers));
         }
-        Ok(BuiltTaperedBeam { parameters: self, is_reversed: false })
+        // where nothing turns, no position is beside an axis
+        let hub_radius = T::select(self.rotation_speed.vanishes(), T::zero(), self.hub_radius);
+        Ok(BuiltTaperedBeam { parameters: TaperedBeam { hub_radius, ..self }, is_reversed: false })
     }
 
     fn estimate(built: &BuiltTaperedBeam<T>, estimates: &mut FrequencyEstimates) {

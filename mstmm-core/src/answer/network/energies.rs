@@ -67,6 +67,16 @@ where
         forms.damping + S::from_parameter(lost)
     }
 
+    /// What the modal mass of an undamped motion differs from 1 by, as the motions between the ends of members have it. These follow from the ends. Where a
+    /// motion is trapped inside a member, its ends are rounding.
+    pub(super) fn trapped(&self) -> f64 {
+        if !self.x.lambda().is_zero() {
+            return 0.0;
+        }
+        let Forms { mass, .. } = self.whole();
+        (mass - S::one()).size()
+    }
+
     /// The forms of the whole motion and its conjugate.
     pub(super) fn whole(&self) -> Forms<S> {
         let [nodes, members] = self.system.sizes();

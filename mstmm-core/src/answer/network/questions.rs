@@ -28,7 +28,7 @@ pub trait FrameAnalysis: Placed + Sized {
     /// # Errors
     /// [`MotionError::Multiple`] for a multiple root, which has [`mode_shapes`](FrameAnalysis::mode_shapes);
     /// [`MotionError::NotARoot`] for a frequency that is no root of this system; [`MotionError::Unresolved`] where other roots are so
-    /// close that shapes cannot be told apart; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
+    /// close that shapes cannot be told apart, or where the motion is trapped inside a member; [`MotionError::LossFactor`] for `Im λ < 0` where something has a loss factor.
     #[inline(never)]
     fn mode_shape<S>(
         &self,

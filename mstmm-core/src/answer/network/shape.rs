@@ -253,7 +253,9 @@ where
         let shape = self.shape(motion);
         // at rest no force is there to compare with
         let imbalance = if self.x.is_zero() { 0.0 } else { shape.imbalance() };
-        Ok((shape, misfit.max(imbalance)))
+        let misfit = misfit.max(imbalance);
+        let trapped = shape.trapped();
+        Ok((shape, if trapped <= misfit { misfit } else { trapped }))
     }
 
     /// As many shapes as a root has, orthogonal with respect to the mass.

@@ -4,9 +4,10 @@ use super::inside::Inside;
 use super::part::is_short;
 use super::walk::Places;
 use super::*;
-use crate::element::{BackTransfer, Energies};
+use crate::element::{BackTransfer, Charted, Energies};
 use crate::model::{Ends, State};
 use crate::number::{DoubleDouble, Oscillation, Scalar, assert_close};
+use crate::structure::Chart;
 use crate::subspace::{Connecting, WittrickWilliams};
 use num_complex::Complex;
 use std::vec::Vec;
@@ -50,6 +51,36 @@ fn parts_fill_the_beam() {
         }
         assert_eq!(end, 1.0);
         assert!(f64::from(count) < 4.0 + profile.phase(), "{count} parts of phase {}", profile.phase());
+    }
+}
+
+/// The frequencies with both ends held are the roots of the minor of clamped ends, and a chart of displacements counts them.
+#[test]
+fn a_chart_counts_the_frequencies_between_held_ends() {
+    for beam in [BLADE, TaperedBeam { height_taper: -2.0, axial_force: -0.5, ..BLADE }] {
+        let built = beam.build().unwrap();
+        let clamped = |omega: f64| {
+            let u = TaperedBeam::transfer_matrix(&built, omega);
+            (u[(0, 2)] * u[(1, 3)] - u[(0, 3)] * u[(1, 2)]).is_sign_negative()
+        };
+        let (mut roots, mut before) = (0.0, clamped(0.0));
+        for step in 1..=2_000 {
+            let omega = 0.1 * f64::from(step);
+            let now = clamped(omega);
+            roots += f64::from(u8::from(now != before));
+            before = now;
+            if step % 97 == 0 {
+                let at = FrequencyPowers::new::<f64>(omega, true);
+                let mut chart: Chart<f64> = TaperedBeam::chart(&built, &at, beam.length);
+                for variable in 0..4 {
+                    if chart.is_force(variable) {
+                        chart.flip(variable);
+                    }
+                }
+                assert_eq!(chart.below, roots, "{omega}");
+            }
+        }
+        assert!(roots > 3.0, "{roots}");
     }
 }
 
