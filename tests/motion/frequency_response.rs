@@ -297,3 +297,29 @@ fn curves_show_every_resonance() {
     let few = response.curve::<20, _>(10.0..=20_000.0, &roots, 1e-2);
     assert_eq!(few.unwrap_err(), MotionError::Capacity { capacity: 20 });
 }
+
+system! {
+    struct Lossy { eta: f64 }
+    free -> beam 1 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0, loss_factor: eta } -> conn tip -> free;
+}
+
+/// The path in the numbers of the model has the digits that stiffnesses and the distance of a root leave, and says what it does not answer.
+#[test]
+fn responses_at_speed_are_those_in_32_digits_but_for_their_last() {
+    let (tip, simple) = (Simple::beam_1.output(), Simple { a: 0.7, b: 1.0, ei: 33.0, m: 0.4 }.build().unwrap());
+    let response = simple.frequency_response(tip.force(), tip.deflection()).unwrap();
+    let largest = response.at(0.0).unwrap();
+    for k in 0..500_u16 {
+        let omega = 2.3 * f64::from(k);
+        let [exact, quick] = [response.at(omega), response.at_speed(omega)].map(Result::unwrap);
+        assert!((quick - exact).abs() <= 1e-9 * exact.abs().max(largest), "{omega}: {quick} {exact}");
+    }
+    let lossy = Lossy { eta: 0.02 }.build().unwrap();
+    let response = lossy.frequency_response(Lossy::conn_tip.force(), Lossy::conn_tip.deflection()).unwrap();
+    let above = Complex::new(-0.1, 3.0);
+    assert!((response.at_speed(above).unwrap() / response.at(above).unwrap() - 1.0).norm() < 1e-12);
+    assert_eq!(response.at_speed(above.conj()).err(), Some(MotionError::LossFactor));
+    assert_eq!(response.at(above.conj()).unwrap(), response.at(above).unwrap().conj());
+    let rest = Complex::new(0.0, 0.0);
+    assert_eq!(response.at_speed(rest).err(), Some(MotionError::Resonance { frequency: 0.0 }));
+}

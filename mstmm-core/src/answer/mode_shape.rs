@@ -125,8 +125,8 @@ where
     away.down_to(point);
     let ratio = away.meeting(point).delta().over(delta).value();
     let step = x * S::from_f64(STEP) / (ratio - S::one());
-    // where Δ is zero, or as small as it can be, there is nothing to gain
     let square = passes.meeting(point).square(best.coordinate).over(delta).value() * step * x.slope_of_lambda_squared();
+    // where Δ is zero, or as small as it can be, there is nothing to gain
     Ok(Nearer { x: if step.size() <= NEAR * x.size() { x - step } else { x }, best, square })
 }
 
