@@ -11,8 +11,7 @@ pub(crate) use elements::{
     AXIAL_STIFFNESS, DAMPING, ELEMENTS, Keyword, STRING, TypeRow, element_of, elements_of_paths, has_somewhere, neutral,
 };
 pub(crate) use located::{
-    ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, STRING_BETWEEN_PLACES,
-    freedom_of, located_of,
+    ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING_BETWEEN_PLACES, freedom_of, located_of,
 };
 use mstmm_plan::Support;
 #[cfg(test)]

@@ -90,7 +90,7 @@ const fn refused(name: &'static str, instead: [&'static str; 2]) -> LocatedKeywo
 }
 
 /// What ties points that have places in place of offsets, with mass and without.
-pub(crate) const RIGID_BODY: &str = "rigid_body";
+const RIGID_BODY: &str = "rigid_body";
 pub(crate) const RIGID_LINK: &str = "rigid_link";
 
 /// A string between two places, which names no length.

@@ -7,8 +7,8 @@ use super::dimension;
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_BODY, RIGID_LINK, Role, STRING, freedom_of,
-    located_of, old_word,
+    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING, freedom_of, located_of,
+    old_word,
 };
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -117,7 +117,7 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
     if let Some(instead) = row.instead(dimension) {
         // the old word of the plane had its inertia about its input end
         let inertia = if old.is_some() { ", whose `inertia` is about its mass centre" } else { "" };
-        let message = format!("`{text}` {}: take `{instead}`{inertia}", reason(row, instead));
+        let message = format!("`{text}` {}: take `{instead}`{inertia}", reason(row, dimension));
         return errors.push(element.kind.place(), message);
     }
     let [required, optional] = row.parameters(dimension);
@@ -133,10 +133,10 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 }
 
 /// Why a keyword has no place in a model.
-fn reason(row: &LocatedKeyword, instead: &str) -> &'static str {
+fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match row.role {
-        Role::Unknown if instead == RIGID_BODY => "has its points by offsets, which places replace",
-        Role::Unknown => "stands in models without places",
+        Role::Unknown => "has its points by offsets, which places replace",
+        _ if dimension == Dimension::Plane => "does not stretch, so it stands where points have one coordinate",
         _ => "moves in the plane, but points have one coordinate here",
     }
 }

@@ -52,6 +52,30 @@ fn a_parameter_of_another_dimension_is_removed() {
     );
 }
 
+/// A tapered beam bends alone.
+#[test]
+fn tapered_beams_stand_on_lines() {
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at (0.0, 0.0) -> tapered_beam 1 { bending_stiffness: l, mass_per_length: l, height_taper: 0.5 } -> conn a at (l, l);
+                               ^^^^^^^^^^^^ `tapered_beam` does not stretch, so it stands where points have
+                               | one coordinate: take `beam`
+        fixed at (l, 0.0) -> tapered_beam 2 { length: l, bending_stiffness: l, mass_per_length: l } -> conn a;
+                             ^^^^^^^^^^^^ `tapered_beam` does not stretch, so it stands where points have one
+                             | coordinate: take `beam`
+        ",
+    );
+    assert_refused(
+        "
+        struct M { l: f64 }
+        fixed at 0.0 -> tapered_beam 1 { length: l, bending_stiffness: l, mass_per_length: l } -> conn a at l;
+                                         ^^^^^^ `tapered_beam 1` takes no `length`, which follows from the
+                                         | places of its ends: remove it
+        ",
+    );
+}
+
 /// A bar of a truss stands between places of the plane alone.
 #[test]
 fn bars_stand_in_trusses() {
