@@ -93,9 +93,7 @@ where
     ///
     /// A motion between the ends of an element follows from the states there. Where it is trapped inside, these are rounding, and its modal mass is not 1.
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        let trapped = (self.modal_mass() - S::one()).size();
-        let misfit = self.misfit();
-        let misfit = if trapped <= misfit { misfit } else { trapped };
+        let misfit = worse(self.misfit(), (self.modal_mass() - S::one()).size());
         if misfit <= REFUSED_MISFIT * S::EPSILON {
             return Ok(());
         }
@@ -114,6 +112,11 @@ where
         let (x, beyond) = (S::from_extended(judged.x), judged.beyond.map(S::from_extended));
         ModeShape::of(SystemStates { system: judged.system, x, states, source: judged.source, beyond })
     }
+}
+
+/// The larger of two misfits; one that is no number is worse than any.
+pub(crate) fn worse(one: f64, other: f64) -> f64 {
+    if one > other || one.is_nan() { one } else { other }
 }
 
 /// The largest of the squares of the entries, as energies.

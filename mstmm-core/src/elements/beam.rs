@@ -1,6 +1,7 @@
 //! Euler-Bernoulli beam.
 
 use crate::element::{Element, MemberNumbers, PlaneStep, TransferMatrix};
+use crate::elements::shared::bending_chart::wave_fourth;
 use crate::elements::shared::compound::{BendingCoefficients, Units};
 use crate::elements::shared::krylov::bending_matrix;
 use crate::model::{Bending, Extent, FrequencyEstimates, InvalidParameter, Requirement};
@@ -147,28 +148,24 @@ impl<T: Parameter> BuiltBeam<T> {
     /// `z = βl`; in extended precision from the parameters, since `build` has rounded.
     #[inline(always)]
     pub(super) fn z<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> S {
-        if S::IS_EXTENDED {
-            let Beam { length, .. } = self.parameters;
-            return at.powers[0] * self.density::<S>().sqrt().sqrt() * S::from_parameter(length);
-        }
-        at.powers[0] * self.wave
+        if S::IS_EXTENDED { at.powers[0] * self.exact_fourth::<S>().sqrt().sqrt() } else { at.powers[0] * self.wave }
     }
 
-    /// `-z⁴`, as [`z`](Self::z).
+    /// `z⁴`, as [`z`](Self::z).
     #[inline(always)]
-    pub(super) fn minus_z_fourth<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> S {
+    pub(super) fn z_fourth<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> S {
         if S::IS_EXTENDED {
-            let square = S::from_parameter(self.parameters.length) * S::from_parameter(self.parameters.length);
-            return at.lambda_squared * self.density::<S>() * square * square;
+            -at.lambda_squared * self.exact_fourth::<S>()
+        } else {
+            -at.lambda_squared * self.wave_fourth
         }
-        at.lambda_squared * self.wave_fourth
     }
 
-    /// `m/EI`, the fourth power of β over `ω²`.
+    /// `z⁴/ω²` from the parameters.
     #[inline(always)]
-    fn density<S: Frequency<T>>(&self) -> S {
-        let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
-        S::from_parameter(mass_per_length) / S::from_parameter(bending_stiffness)
+    fn exact_fourth<S: Frequency<T>>(&self) -> S {
+        let Beam { length, bending_stiffness, mass_per_length } = self.parameters;
+        wave_fourth([bending_stiffness, mass_per_length], S::from_parameter(length))
     }
 
     /// The coefficients for `|z| > 1`. In line where lanes need it, not where size counts: each beam of a model has them.
@@ -177,7 +174,7 @@ impl<T: Parameter> BuiltBeam<T> {
     fn waving<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
         let WaveProducts { ch_cos, ch_sin, sh_cos, sh_sin: f, one, exponent } = z.wave_products();
         let (b, d, e) = (ch_sin + sh_cos, ch_sin - sh_cos, one - ch_cos);
-        let Units { factors, inverses } = self.units(at);
+        let Units { factors, inverses } = self.units(z, at);
         BendingCoefficients {
             z,
             a: one + ch_cos,
@@ -200,10 +197,10 @@ impl<T: Parameter> BuiltBeam<T> {
     /// Units of the minors with the wave number β. In extended precision they are computed anew, since a step is the compound of
     /// the transfer matrix only if they fit each other.
     #[inline(always)]
-    fn units<S: Frequency<T>>(&self, at: &FrequencyPowers<S>) -> Units<S> {
+    fn units<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> Units<S> {
         if S::IS_EXTENDED {
-            let number = self.density::<S>().sqrt().sqrt();
-            return Units::new(S::from_parameter(self.parameters.bending_stiffness), at.powers[0] * number);
+            let Beam { length, bending_stiffness, .. } = self.parameters;
+            return Units::new(S::from_parameter(bending_stiffness), z / S::from_parameter(length));
         }
         Units {
             factors: products(at.powers, self.wave_units.factors),
@@ -230,7 +227,7 @@ impl<T: Parameter> BuiltBeam<T> {
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     #[inline(always)]
     fn short<S: Frequency<T>>(&self, z: S, at: &FrequencyPowers<S>) -> BendingCoefficients<S> {
-        let x = -self.minus_z_fourth(at);
+        let x = self.z_fourth(at);
         let [c, b, f, d, e] = x.short_wave_products();
         let Units { factors, inverses } = self.short_units();
         BendingCoefficients {

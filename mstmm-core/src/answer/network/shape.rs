@@ -1,5 +1,6 @@
 //! Mode shapes of plane structures.
 
+use crate::answer::misfit::worse;
 use crate::answer::network::states::PlaneStates;
 use crate::answer::root::is_below_losses;
 use crate::element::Forms;
@@ -253,9 +254,8 @@ where
         let shape = self.shape(motion);
         // at rest no force is there to compare with
         let imbalance = if self.x.is_zero() { 0.0 } else { shape.imbalance() };
-        let misfit = misfit.max(imbalance);
-        let trapped = shape.trapped();
-        Ok((shape, if trapped <= misfit { misfit } else { trapped }))
+        let misfit = worse(misfit.max(imbalance), shape.trapped());
+        Ok((shape, misfit))
     }
 
     /// As many shapes as a root has, orthogonal with respect to the mass.

@@ -19,7 +19,7 @@ impl<T: Parameter, S: Frequency<T> + ChartScalar> ChartedAcross<S> for Beam<T> {
             BendingWaves::exact(at, [bending_stiffness, mass_per_length], length)
         } else {
             let stiffness = S::from_parameter(bending_stiffness) / (length * length * length);
-            let (z, z_fourth) = (at.powers[0] * built.wave, -at.lambda_squared * built.wave_fourth);
+            let (z, z_fourth) = (built.z(at), built.z_fourth(at));
             BendingWaves { z_fourth, z, stiffness, length }
         };
         let measures = [own, bending_stiffness, mass_per_length];

@@ -28,7 +28,7 @@ impl<T: Real, S: Oscillation<T>> BackTransfer<S> for Beam<T> {
         let [sin, cos] = [sin, cos].map(|circular| circular.times_power_of_two(-k));
         let [sh, ch] = [sh, ch].map(|hyperbolic| hyperbolic.times_power_of_two(-j));
         let krylov = [ch + cos, sh + sin, ch - cos, sh - sin];
-        let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(at);
+        let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = built.units(z, at);
         BendingBackTransfer {
             krylov,
             raised: [krylov[1], krylov[2], krylov[3]],
@@ -105,7 +105,7 @@ impl<T: Real> BuiltBeam<T> {
 
     /// The coefficients for `|z| <= 1`, entire in `z⁴`.
     fn short_links<S: Oscillation<T>>(&self, at: &FrequencyPowers<S>) -> BendingBackTransfer<S> {
-        let x = -self.minus_z_fourth(at);
+        let x = self.z_fourth(at);
         let functions = krylov(x);
         let Units { factors: [first, second, ..], inverses: [first_inverse, second_inverse, ..] } = self.short_units();
         let length = S::from_parameter(self.parameters.length);

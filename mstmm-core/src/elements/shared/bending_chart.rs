@@ -32,17 +32,28 @@ struct BendingFunctions<S> {
     exponent: i32,
 }
 
+/// `z⁴/ω² = ml⁴/EI` of a beam of a bending stiffness, a mass per length and a length.
+#[inline(always)]
+pub(crate) fn wave_fourth<T: Parameter, S: Frequency<T>>(stiffness_and_mass: [T; 2], length: S) -> S {
+    let [ei, m] = stiffness_and_mass.map(S::from_parameter);
+    let square = length * length;
+    m / ei * square * square
+}
+
 impl<S: Scalar> BendingWaves<S> {
     /// The waves of a beam of a bending stiffness, a mass per length and a length, without what `build` has rounded.
     pub(crate) fn exact<T: Parameter>(at: &FrequencyPowers<S>, stiffness_and_mass: [T; 2], length: S) -> Self
     where
         S: Frequency<T>,
     {
-        let [ei, m] = stiffness_and_mass.map(S::from_parameter);
-        let square = length * length;
-        let fourth = m / ei * square * square;
+        let fourth = wave_fourth(stiffness_and_mass, length);
         let z = at.powers[0] * fourth.sqrt().sqrt();
-        BendingWaves { z_fourth: -at.lambda_squared * fourth, z, stiffness: ei / (square * length), length }
+        BendingWaves {
+            z_fourth: -at.lambda_squared * fourth,
+            z,
+            stiffness: S::from_parameter(stiffness_and_mass[0]) / (length * length * length),
+            length,
+        }
     }
 
     /// Enters deflections and rotations of both ends into a chart, at their places.

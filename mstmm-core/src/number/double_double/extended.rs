@@ -7,17 +7,24 @@ use crate::number::scalar::Scalar;
 use crate::number::value::Value;
 use num_complex::Complex;
 
+/// What a number has that is extended precision itself.
+macro_rules! is_extended {
+    () => {
+        type Extended = Self;
+        const HAS_EXTENDED: bool = false;
+
+        fn to_extended(self) -> Self {
+            self
+        }
+
+        fn from_extended(value: Self) -> Self {
+            value
+        }
+    };
+}
+
 impl Oscillation<f64> for DoubleDouble {
-    type Extended = Self;
-    const HAS_EXTENDED: bool = false;
-
-    fn to_extended(self) -> Self {
-        self
-    }
-
-    fn from_extended(value: Self) -> Self {
-        value
-    }
+    is_extended!();
 
     /// The number rounded to `f64`: the interior of a beam is not computed in extended precision.
     fn to_complex(self) -> Complex<f64> {
@@ -53,16 +60,7 @@ impl Oscillation<f64> for DoubleDouble {
 type Precise = Complex<DoubleDouble>;
 
 impl Oscillation<f64> for Value<Precise> {
-    type Extended = Self;
-    const HAS_EXTENDED: bool = false;
-
-    fn to_extended(self) -> Self {
-        self
-    }
-
-    fn from_extended(value: Self) -> Self {
-        value
-    }
+    is_extended!();
 
     /// The number rounded to `f64`, as that of a real one.
     fn to_complex(self) -> Complex<f64> {

@@ -75,9 +75,6 @@ where
 /// The frequency of a plane structure `Y` with its slope.
 type WithSlope<Y, S> = <S as PlaneFrequency<<Y as System>::Parameter>>::WithSlope;
 
-/// The frequency of a plane structure `Y` in extended precision.
-type Precise<Y, S> = ExtendedOf<S, <Y as System>::Parameter>;
-
 /// A plane structure whose motions are known at a frequency, and in its extended precision.
 #[diagnostic::on_unimplemented(
     message = "the motions of `{Self}` are not known at a frequency of type `{S}`",
@@ -85,7 +82,10 @@ type Precise<Y, S> = ExtendedOf<S, <Y as System>::Parameter>;
             instead of `natural_frequencies`; an element of your own implements `mstmm::element::MemberMotion<S>`"
 )]
 pub trait MovingNetwork<S>:
-    PlacedCharts<S> + PlacedCharts<WithSlope<Self, S>> + PlacedCharts<Precise<Self, S>> + PlacedMotions<S>
+    PlacedCharts<S>
+    + PlacedCharts<WithSlope<Self, S>>
+    + PlacedCharts<ExtendedOf<S, <Self as System>::Parameter>>
+    + PlacedMotions<S>
 where
     S: PlaneFrequency<<Self as System>::Parameter>,
 {
@@ -95,6 +95,9 @@ where
 impl<Y, S> MovingNetwork<S> for Y
 where
     S: PlaneFrequency<<Y as System>::Parameter>,
-    Y: PlacedCharts<S> + PlacedCharts<WithSlope<Y, S>> + PlacedCharts<Precise<Y, S>> + PlacedMotions<S>,
+    Y: PlacedCharts<S>
+        + PlacedCharts<WithSlope<Y, S>>
+        + PlacedCharts<ExtendedOf<S, <Y as System>::Parameter>>
+        + PlacedMotions<S>,
 {
 }
