@@ -1,9 +1,9 @@
 //! A frame member by member: a node has up to three variables, from the first member that knows it until it leaves.
 
-use crate::element::{Exact, MemberNumbers, OwnPart, TaperedNumbers};
+use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::proof::ball::Ball;
 use crate::proof::join::{Failure, Join};
-use crate::proof::row::{Row, TERMS, difference, direction, exact_distance};
+use crate::proof::row::{Row, TERMS, difference, direction};
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
 
@@ -156,13 +156,10 @@ impl Nodes {
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
                 joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
             }
-            MemberNumbers::Tapered(beam) => match length_along(ends) {
-                Some(length) => {
-                    let ends = [&first[1], &first[2], &second[1], &second[2]];
-                    joining.add_tapered(&TaperedNumbers { length, ..*beam }, ends.map(|row| row.terms()));
-                }
-                None => joining.fail(Failure::NotInNumbers),
-            },
+            MemberNumbers::Tapered(beam) => {
+                let ends = [&first[1], &first[2], &second[1], &second[2]];
+                joining.add_tapered(beam, length, ends.map(|row| row.terms()));
+            }
             MemberNumbers::String(lines) => {
                 for (line, freedom) in lines.iter().zip([0, 1]) {
                     let ends = [first[freedom].terms(), second[freedom].terms()];
@@ -256,13 +253,6 @@ impl Nodes {
         }
         self.tie_count = kept;
     }
-}
-
-/// The distance of two places of a line, each of which is a word; it is the sum of two words.
-fn length_along(ends: &[MemberEnd; 2]) -> Option<Exact> {
-    let [[from, from_y], [to, to_y]] = [ends[0].place, ends[1].place];
-    let are_words = from[1] == 0.0 && to[1] == 0.0 && from_y == to_y;
-    are_words.then(|| exact_distance(from[0], to[0]))
 }
 
 /// What a displacement is more than another one times a ratio.

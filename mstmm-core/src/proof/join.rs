@@ -50,7 +50,7 @@ pub(crate) trait Join: Sized {
         rows: [&[Term<Self::Alone>]; 4],
     );
     /// Adds a tapered beam.
-    fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: [&[Term<Self::Alone>]; 4]);
+    fn add_tapered(&mut self, numbers: &TaperedNumbers, length: Ball<Self::Alone>, rows: [&[Term<Self::Alone>]; 4]);
     /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.
     fn add_counted(&mut self, stiffness: [Exact; 3], held: f64, rows: [&[Term<Self::Alone>]; 2]);
     /// Adds the force of a rigid joint over the displacements that are equal. Returns its variable.

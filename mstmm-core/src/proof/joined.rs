@@ -139,13 +139,13 @@ impl<N: Level> Join for Joining<'_, N> {
     /// Adds a tapered beam piece by piece. The last inner end leaves behind the first end of the beam: before that its pivot is a pole where
     /// the beam vibrates between held ends. Its pieces depend on the frequency: in lanes nothing is known of it.
     #[inline(never)]
-    fn add_tapered(&mut self, numbers: &TaperedNumbers, rows: [Terms<'_, N>; 4]) {
+    fn add_tapered(&mut self, numbers: &TaperedNumbers, length: Ball<N::Alone>, rows: [Terms<'_, N>; 4]) {
         if N::Word::LANES > 1 {
             self.failure = Some(Failure::NotEnclosed);
             return;
         }
         let (mut input, mut inner) = (None::<[Row<N::Alone, 1>; 2]>, None::<[usize; 2]>);
-        let found = pieces::<N::Alone>(numbers, self.square.lane(0), &mut |piece, is_last| {
+        let found = pieces::<N::Alone>((numbers, length), self.square.lane(0), &mut |piece, is_last| {
             let variables = (!is_last).then(|| [self.enter(), self.enter()]);
             let output = variables.map(|variables| variables.map(Row::of));
             let mut ends = rows;

@@ -149,14 +149,6 @@ pub(crate) fn difference<N: Level>(from: Exact, to: Exact) -> Ball<N> {
     to - from
 }
 
-/// The distance of two numbers: the sum of two words, since the error of a sum is a word (Knuth).
-pub(crate) fn exact_distance(one: f64, other: f64) -> Exact {
-    let (from, to) = if one < other { (one, other) } else { (other, one) };
-    let length = to - from;
-    let part = length - to;
-    [length, (to - (length - part)) - (from + part)]
-}
-
 /// A direction as cosine and sine, from a vector of any length, and that length. Along an axis all are exact.
 #[inline(always)]
 pub(crate) fn direction<N: Level>([x, y]: [Ball<N>; 2]) -> ([Ball<N>; 2], Ball<N>) {

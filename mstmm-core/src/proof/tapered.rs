@@ -36,10 +36,10 @@ const PARTS: u64 = 1 << 48;
 const LEAST_PARTS: u64 = 16;
 const MOST_PIECES: usize = 1024;
 
-/// Calls `each` for the pieces of a beam from input to output, with whether it is the last one, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
+/// Calls `each` for the pieces of a beam of a length from input to output, with whether it is the last one, over the displacements `y1, θ1, y2, θ2`, at ω² of either sign. The pieces
 /// are the same in all lanes. None if they are too many or if a number leaves the range; the pieces before are of no use then.
 pub(crate) fn pieces<N: Level>(
-    section: &TaperedNumbers,
+    section: (&TaperedNumbers, Ball<N>),
     square: Ball<N>,
     each: &mut dyn FnMut(Member<N, 4, 10>, bool),
 ) -> Option<()> {
@@ -48,13 +48,13 @@ pub(crate) fn pieces<N: Level>(
 
 /// The same with where a piece starts and how wide it is, in shares of the length: exact.
 pub(in crate::proof) fn places<N: Level>(
-    section: &TaperedNumbers,
+    (section, whole): (&TaperedNumbers, Ball<N>),
     square: Ball<N>,
     each: &mut dyn FnMut([f64; 2], Member<N, 4, 10>),
 ) -> Option<()> {
     let [sin, _] = Ball::<N>::of_pair(section.setting_angle).sin_cos();
     let turned = Ball::of_pair(section.rotation_speed) * sin;
-    let beam = Beam { section, square, of_mass: square + turned * turned };
+    let beam = Beam { section, whole, square, of_mass: square + turned * turned };
     let (mut start, mut width) = (0, PARTS);
     for _ in 0..MOST_PIECES {
         let rest = PARTS - start;
@@ -84,6 +84,8 @@ pub(in crate::proof) fn places<N: Level>(
 /// A beam at a frequency, with `ω² + Ω² sin² ψ`.
 struct Beam<'s, N: Number> {
     section: &'s TaperedNumbers,
+    /// Its length.
+    whole: Ball<N>,
     square: Ball<N>,
     of_mass: Ball<N>,
 }
@@ -91,11 +93,11 @@ struct Beam<'s, N: Number> {
 impl<N: Level> Beam<'_, N> {
     /// Width, height and position from the axis at a share, as means of those at the ends: of positive numbers no digits are lost.
     fn at(&self, share: f64) -> [Ball<N>; 3] {
-        let TaperedNumbers { width_taper, height_taper, hub_radius, length, .. } = *self.section;
+        let TaperedNumbers { width_taper, height_taper, hub_radius, .. } = *self.section;
         let (one, hub) = (Ball::of(1.0), Ball::of_pair(hub_radius));
         let [width, height] = [width_taper, height_taper].map(|taper| one - Ball::of_pair(taper));
         let mean = |inner, outer| inner * Ball::of(1.0 - share) + outer * Ball::of(share);
-        [mean(one, width), mean(one, height), mean(hub, hub + Ball::of_pair(length))]
+        [mean(one, width), mean(one, height), mean(hub, hub + self.whole)]
     }
 
     /// The piece of a width at a share.
@@ -107,8 +109,7 @@ impl<N: Level> Beam<'_, N> {
         let (beta, eta) = (b_change * b.inverse(), h_change * h.inverse());
         let area: [_; 3] = product(&[one, beta], &[one, eta]);
         let bending: [_; 5] = product(&area, &product::<N, 3>(&[one, eta], &[one, eta]));
-        let whole = Ball::of_pair(section.length);
-        let length = whole * Ball::of(width);
+        let length = self.whole * Ball::of(width);
         let shape = b * h * (h * h);
         let stiffness = Ball::of_pair(section.bending_stiffness) * shape;
         let (along, speed) = (length * length * stiffness.inverse(), Ball::of_pair(section.rotation_speed));
@@ -117,7 +118,7 @@ impl<N: Level> Beam<'_, N> {
         let (centrifugal, over) = (speed * speed * mass, |n: usize| Ball::of(n as f64).inverse());
         let pull = |share| self.at(share).into_iter().fold(centrifugal, |product, factor| product * factor);
         let sum = pull(start) + pull(0.5 + 0.5 * start).scaled(4.0) + pull(1.0);
-        let force = Ball::of_pair(section.axial_force) + whole * Ball::of(1.0 - start) * over(6) * sum;
+        let force = Ball::of_pair(section.axial_force) + self.whole * Ball::of(1.0 - start) * over(6) * sum;
         let rotary = Ball::of_pair(section.rotary_inertia) * shape * self.square;
         // what the force loses along the piece
         let losses: [_; 4] = product(&area, &[radius, length]).map(|term| centrifugal * (b * h) * length * term);

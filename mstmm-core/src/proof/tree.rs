@@ -208,7 +208,7 @@ fn through<J: Join>(
             let own = [joining.enter(), joining.enter()].map(Row::of);
             let ends = [y, theta, own[0].terms(), own[1].terms()];
             match &numbers {
-                MemberNumbers::Tapered(beam) => joining.add_tapered(beam, ends),
+                MemberNumbers::Tapered(beam) => joining.add_tapered(beam, Ball::of_pair(beam.length), ends),
                 MemberNumbers::Beam(beam) => joining.add_bending((beam, &damping), Ball::of_pair(beam.length), ends),
                 _ => joining.fail(Failure::NotInNumbers),
             }

@@ -245,7 +245,7 @@ impl<N: Level<Word = f64, Alone = N>> Join for Matrix<'_, N> {
         });
     }
 
-    fn add_tapered(&mut self, _: &TaperedNumbers, _: [&[Term<N>]; 4]) {
+    fn add_tapered(&mut self, _: &TaperedNumbers, _: Ball<N>, _: [&[Term<N>]; 4]) {
         self.failure = Some(Failure::NotEnclosed);
     }
 

@@ -5,7 +5,6 @@ use crate::proof::ball::Ball;
 use crate::proof::four_words::FourWords;
 use crate::proof::level::Level;
 use crate::proof::number::{Number, OneWord, TwoWords};
-use crate::proof::row::exact_distance;
 use crate::proof::tests::exact::{Exact, Exactly, exact, pi, share, size};
 use crate::proof::tests::random::Random;
 
@@ -53,17 +52,6 @@ fn sums_products_inverses_and_roots_are_in_their_balls() {
     arithmetic::<OneWord>(300);
     arithmetic::<TwoWords<f64>>(300);
     arithmetic::<FourWords>(300);
-}
-
-#[test]
-fn a_distance_is_the_sum_of_two_words() {
-    let mut random = Random::new(3);
-    for _ in 0..1_000 {
-        let [one, other] = [0, 1].map(|_| random.any_size(10.0));
-        let [length, rest] = exact_distance(one, other);
-        let expected = exact(one.max(other)) - exact(one.min(other));
-        assert_eq!(exact(length) + exact(rest), expected, "{one} {other}");
-    }
 }
 
 #[test]

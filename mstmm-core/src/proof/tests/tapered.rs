@@ -59,7 +59,7 @@ fn section(beam: TaperedBeam<f64>) -> TaperedNumbers {
 fn joined(section: &TaperedNumbers, square: f64) -> ([Ball<Two>; 10], usize, usize) {
     let mut whole: Option<[Ball<Two>; 10]> = None;
     let (mut count, mut negative) = (0, 0);
-    pieces::<Two>(section, Ball::of(square), &mut |member, _| {
+    pieces::<Two>((section, Ball::of_pair(section.length)), Ball::of(square), &mut |member, _| {
         assert!(member.border.is_none() && member.held == [0.0; 2]);
         count += 1;
         let Some(before) = whole else {
@@ -103,23 +103,27 @@ fn joined(section: &TaperedNumbers, square: f64) -> ([Ball<Two>; 10], usize, usi
 fn assert_pieces(beam: TaperedBeam<f64>, square: f64, degree: usize, every: usize) {
     let profile = energy(beam, &big(square));
     let (mut count, mut widest, mut used) = (0, 0.0_f64, 0.0_f64);
-    pieces_with_places::<Two>(&section(beam), Ball::of(square), &mut |[start, width], member| {
-        count += 1;
-        if count % every != 1 % every {
-            return;
-        }
-        let (exact, negative) = element(&profile, beam.length, start, width, degree);
-        assert_eq!(negative, 0, "held frequencies of piece {count}");
-        for row in 0..4 {
-            for column in 0..=row {
-                let ball = member.stiffness[place(row, column)];
-                let off = (big(ball.mid.hi) + big(ball.mid.lo) - &exact[row][column]).to_f64().value().abs();
-                widest = widest.max(ball.rad / (member.sizes[row] * member.sizes[column]).sqrt());
-                used = used.max(off / ball.rad);
-                assert!(off <= ball.rad, "piece {count}, {row} {column}: {off:e} of {ball:?}");
+    pieces_with_places::<Two>(
+        (&section(beam), Ball::of(beam.length)),
+        Ball::of(square),
+        &mut |[start, width], member| {
+            count += 1;
+            if count % every != 1 % every {
+                return;
             }
-        }
-    })
+            let (exact, negative) = element(&profile, beam.length, start, width, degree);
+            assert_eq!(negative, 0, "held frequencies of piece {count}");
+            for row in 0..4 {
+                for column in 0..=row {
+                    let ball = member.stiffness[place(row, column)];
+                    let off = (big(ball.mid.hi) + big(ball.mid.lo) - &exact[row][column]).to_f64().value().abs();
+                    widest = widest.max(ball.rad / (member.sizes[row] * member.sizes[column]).sqrt());
+                    used = used.max(off / ball.rad);
+                    assert!(off <= ball.rad, "piece {count}, {row} {column}: {off:e} of {ball:?}");
+                }
+            }
+        },
+    )
     .unwrap();
     assert!(widest < 3e-27, "{widest:e}");
     std::println!("{count} pieces, radius {widest:.1e}, {used:.1e} of it used");
@@ -204,7 +208,7 @@ fn count_of_free(section: &TaperedNumbers, omega: f64) -> [f64; 2] {
         let (mut entries, mut variables) = ([Two::of(0.0); 10], [Variable::none(); 4]);
         let mut front = Front::<Two>::new(&mut entries, &mut variables, toward);
         let mut ends = [front.enter().unwrap(), front.enter().unwrap()];
-        pieces(section, Ball::of_product(omega, omega), &mut |member, _| {
+        pieces((section, Ball::of_pair(section.length)), Ball::of_product(omega, omega), &mut |member, _| {
             let others = [front.enter().unwrap(), front.enter().unwrap()];
             let all = [ends[0], ends[1], others[0], others[1]];
             for row in 0..4 {
@@ -286,7 +290,7 @@ fn stiffness_is_that_of_the_element() {
 fn too_many_pieces_are_refused() {
     let torn = TaperedBeam { axial_force: -1e50, ..BLADE };
     for (beam, square) in [(BLADE, 1e60), (BLADE, f64::INFINITY), (BLADE, f64::NAN), (torn, 0.0)] {
-        assert!(pieces::<Two>(&section(beam), Ball::of(square), &mut |_, _| ()).is_none());
+        assert!(pieces::<Two>((&section(beam), Ball::of(beam.length)), Ball::of(square), &mut |_, _| ()).is_none());
     }
 }
 
