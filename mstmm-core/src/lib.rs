@@ -112,8 +112,8 @@ pub use pass::network::Vectors;
 pub use pass::network::{
     Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
     Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
-    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, PlaneFrequency, Seat, Skeleton,
-    SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel,
+    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Seat,
+    Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel,
     build_member, network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;

@@ -170,13 +170,13 @@ impl Node<'_> {
     /// The freedoms that it has, and those that are held or that it has not, if rustc need not be asked.
     pub(crate) fn known(&self) -> Option<[Freedoms; 2]> {
         let freedoms = self.freedoms.as_known()?;
-        let held = self.held.union(Freedoms::ALL.without(freedoms));
+        let held = self.held.union(Freedoms::PLANE.without(freedoms));
         Some([freedoms, if self.along.is_some() { held.intersection(Freedoms::RZ) } else { held }])
     }
 
     /// The motions that its supports leave, as far as they are known.
     pub(crate) fn motions(&self) -> usize {
-        let free = Freedoms::ALL.without(self.known().map_or(self.held, |[_, held]| held));
+        let free = Freedoms::PLANE.without(self.known().map_or(self.held, |[_, held]| held));
         match self.along {
             Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
             None => free.count(),

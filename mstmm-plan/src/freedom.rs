@@ -21,10 +21,20 @@ impl Freedoms {
     pub const Y: Freedoms = Freedoms(1 << 1);
     /// Rotation about z.
     pub const RZ: Freedoms = Freedoms(1 << 2);
-    /// All freedoms.
-    pub const ALL: Freedoms = Freedoms(0b111);
-    /// Each freedom alone, in their order.
+    /// Displacement along z.
+    pub const Z: Freedoms = Freedoms(1 << 3);
+    /// Rotation about x.
+    pub const RX: Freedoms = Freedoms(1 << 4);
+    /// Rotation about y.
+    pub const RY: Freedoms = Freedoms(1 << 5);
+    /// All freedoms of the plane.
+    pub const PLANE: Freedoms = Freedoms(0b111);
+    /// All freedoms of space.
+    pub const SPACE: Freedoms = Freedoms(0b11_1111);
+    /// Each freedom of the plane alone, in their order.
     pub const SINGLE: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
+    /// Each freedom of space alone: those of the plane first.
+    pub const EACH: [Freedoms; 6] = [Freedoms::X, Freedoms::Y, Freedoms::RZ, Freedoms::Z, Freedoms::RX, Freedoms::RY];
 
     /// The freedoms of either set.
     #[inline]

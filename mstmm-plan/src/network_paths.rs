@@ -134,7 +134,7 @@ const fn widest_end(nodes: &[PathNode], members: &[PathMember]) -> Option<usize>
     let (mut best, mut width) = (None, 0);
     let mut end = 0;
     // nothing is wider than all freedoms
-    while end < 2 * members.len() && width < Freedoms::ALL.count() {
+    while end < 2 * members.len() && width < Freedoms::PLANE.count() {
         let PathMember { nodes: pair, freedoms, .. } = members[end / 2];
         let leads = nodes[pair[end % 2]].rank == UNREACHED && nodes[pair[1 - end % 2]].rank != UNREACHED;
         if leads && freedoms.count() > width {
@@ -176,11 +176,11 @@ pub const fn unknowns(nodes: &[PathNode], members: &[PathMember]) -> usize {
 mod tests {
     use super::*;
 
-    const FREE: PathNode = PathNode::new(Freedoms::ALL, Freedoms::NONE, false);
-    const HELD: PathNode = PathNode::new(Freedoms::ALL, Freedoms::ALL, false);
+    const FREE: PathNode = PathNode::new(Freedoms::PLANE, Freedoms::NONE, false);
+    const HELD: PathNode = PathNode::new(Freedoms::PLANE, Freedoms::PLANE, false);
 
     fn beam(nodes: [usize; 2]) -> PathMember {
-        PathMember { nodes, freedoms: Freedoms::ALL, released: 0 }
+        PathMember { nodes, freedoms: Freedoms::PLANE, released: 0 }
     }
 
     fn spring(nodes: [usize; 2]) -> PathMember {

@@ -108,7 +108,7 @@ const fn sort_inputs(steps: &[Step<'_>], places: &mut [Place], sorted: &mut [usi
     while i < steps.len() {
         places[i].first_input = end;
         let inputs = steps[i].inputs();
-        let mut more_than = Space::ALL.count() + 1;
+        let mut more_than = Space::PLANE.count() + 1;
         while more_than > 0 {
             more_than -= 1;
             let mut k = 0;

@@ -16,10 +16,10 @@ use core::fmt;
 pub type Space = Freedoms;
 
 /// Number of entries of the widest state.
-pub const WIDEST: usize = Space::ALL.size();
+pub const WIDEST: usize = Space::PLANE.size();
 
 /// Number of spaces, that of no freedom included.
-const SPACES: usize = Space::ALL.index() + 1;
+const SPACES: usize = Space::PLANE.index() + 1;
 
 /// The entries of the states of every space, and room behind them.
 const ENTRIES: &[[Coordinate; WIDEST]; SPACES] = &{
@@ -60,7 +60,7 @@ impl Freedoms {
     /// States `[Y, Θ, M, Q]`
     pub const Bending: Space = Freedoms::Y.union(Freedoms::RZ);
     /// States `[X, Y, Θ, M, Qx, Qy]`
-    pub const Planar: Space = Freedoms::ALL;
+    pub const Planar: Space = Freedoms::PLANE;
 }
 
 impl Freedoms {
@@ -73,7 +73,7 @@ impl Freedoms {
     /// The entries of a state, in order: displacements first, forces second.
     #[inline]
     pub const fn coordinates(self) -> &'static [Coordinate] {
-        STATES[self.index()]
+        STATES[self.intersection(Freedoms::PLANE).index()]
     }
 
     /// The displacements of a state.
@@ -104,7 +104,10 @@ impl Freedoms {
     }
 }
 
-/// The name of a space, such as `bending`; of other sets their displacements, such as `X, Θ`.
+/// The names of all freedoms, in their order.
+const NAMES: [&str; 6] = ["x", "y", "rz", "z", "rx", "ry"];
+
+/// The name of a space, such as `bending`; of other sets their displacements, such as `X, Θ`, and of sets in space their freedoms, such as `z, rx`.
 impl fmt::Display for Freedoms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -112,6 +115,11 @@ impl fmt::Display for Freedoms {
             Space::Rotation => f.write_str("rotation"),
             Space::Bending => f.write_str("bending"),
             Space::Planar => f.write_str("planar"),
+            spatial if !Freedoms::PLANE.contains(spatial) => {
+                let own = Freedoms::EACH.into_iter().zip(NAMES).filter(|(freedom, _)| spatial.contains(*freedom));
+                own.enumerate()
+                    .try_for_each(|(index, (_, name))| write!(f, "{}{name}", if index > 0 { ", " } else { "" }))
+            }
             other => other.displacements().iter().enumerate().try_for_each(|(index, displacement)| {
                 write!(f, "{}{}", if index > 0 { ", " } else { "" }, displacement.symbol(other))
             }),
@@ -134,6 +142,7 @@ mod tests {
         assert_eq!(Space::Planar.displacements(), [X, Y, Theta]);
         assert_eq!(Space::Planar.forces(), [M, Qx, Q]);
         assert_eq!(Space::NONE.coordinates(), []);
+        assert_eq!(Freedoms::X.union(Freedoms::Z).to_string(), "x, z");
     }
 
     #[test]

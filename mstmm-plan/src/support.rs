@@ -33,7 +33,7 @@ impl Support {
     #[inline]
     pub const fn holds(self) -> Freedoms {
         match self {
-            Support::Fixed => Freedoms::ALL,
+            Support::Fixed => Freedoms::PLANE,
             Support::Free => Freedoms::NONE,
             Support::Pinned => Freedoms::X.union(Freedoms::Y),
             Support::Guided => Freedoms::X.union(Freedoms::RZ),

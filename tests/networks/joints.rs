@@ -15,7 +15,7 @@ fn frequencies(nodes: &[Node<f64>], members: &[Frame]) -> Vec<f64> {
 }
 
 fn clamped(place: [f64; 2]) -> Node<f64> {
-    Node::at(place).held(Freedoms::ALL)
+    Node::at(place).held(Freedoms::PLANE)
 }
 
 /// A leg, a girder from its head to a second one with some ends, and what stands beside them.
@@ -54,7 +54,7 @@ fn a_pin_and_a_slider_are_released_ends() {
 
 #[test]
 fn a_rigid_joint_makes_one_node_of_two() {
-    let joint = Frame::new(2, 4, Joint::rigid(Freedoms::ALL)).along([0.3, -0.7]);
+    let joint = Frame::new(2, 4, Joint::rigid(Freedoms::PLANE)).along([0.3, -0.7]);
     assert_agree(&portal(End::of(4), Some((Node::at([4.0, 3.5]), joint))), &portal(End::of(2), None));
 }
 
@@ -89,7 +89,7 @@ fn a_bar_between_sliders_on_the_ground_moves_along_them() {
 #[test]
 fn a_joint_of_two_places_is_refused() {
     let nodes = [clamped([0.0, 0.0]), Node::at([0.0, 3.0])];
-    let members = [Frame::new(0, 1, Joint::rigid(Freedoms::ALL))];
+    let members = [Frame::new(0, 1, Joint::rigid(Freedoms::PLANE))];
     let refused = Network::new(&nodes, &members).map(|_| ());
     assert_eq!(refused, Err(NetworkError::TwoPlaces { member: 0, nodes: [0, 1] }));
 }

@@ -6,7 +6,8 @@ use crate::answer::root::{Root, moved_by_work, simple_root};
 use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
 use crate::frame::{Body, Dimension, Framework, Member};
 use crate::model::MotionError;
-use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works, moved};
+use crate::pass::network::vector::{difference, moved};
+use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
 
 /// The derivatives of a root with respect to the parameters of a frame, dω/dp or dλ/dp, by handles and names.
 #[derive(Debug)]
@@ -97,8 +98,8 @@ where
         let FrameSensitivities { frame, shape, .. } = sensitivities;
         let (node, centre) = frame.body(self)?;
         let position = Placed::node(*frame, node).0.position;
-        let to_centre = [0, 1].map(|k| S::from_f64(centre[k] - position[k]));
-        let [by_mass, by_inertia] = body_slopes(shape.x.lambda_squared(), moved(shape.node(node)?, to_centre));
+        let to_centre = difference(position, centre).map(S::from_f64);
+        let [by_mass, by_inertia] = body_slopes(shape.x.lambda_squared(), moved(shape.all_of(node)?, to_centre));
         Ok(match name {
             "mass" => Some(by_mass),
             "inertia" => Some(by_inertia),

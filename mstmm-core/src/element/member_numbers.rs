@@ -125,6 +125,8 @@ pub enum MemberNumbers {
     Tapered(TaperedNumbers),
     /// A line in the freedom of that index.
     Line(usize, LineNumbers),
+    /// A line in the freedom of that index, as long as its places are apart.
+    LineBetween(usize, LineNumbers),
     /// A string in the plane: the lines along it and across it. Between two places it is as long as these are apart.
     String([LineNumbers; 2]),
     /// A spring in the freedom of that index.
@@ -137,6 +139,8 @@ pub enum MemberNumbers {
     DampedBeam(BeamNumbers, DampingNumbers),
     /// A line with damping, in the freedom of that index.
     DampedLine(usize, LineNumbers, DampingNumbers),
+    /// A line with damping in the freedom of that index, as long as its places are apart.
+    DampedLineBetween(usize, LineNumbers, DampingNumbers),
     /// A string in the plane with damping.
     DampedString([LineNumbers; 2], DampingNumbers),
     /// A spring or a dashpot in the freedom of that index.
@@ -177,9 +181,21 @@ impl MemberNumbers {
         match *self {
             MemberNumbers::DampedBeam(beam, damping) => (MemberNumbers::Beam(beam), damping),
             MemberNumbers::DampedLine(freedom, line, damping) => (MemberNumbers::Line(freedom, line), damping),
+            MemberNumbers::DampedLineBetween(freedom, line, damping) => {
+                (MemberNumbers::LineBetween(freedom, line), damping)
+            }
             MemberNumbers::DampedString(lines, damping) => (MemberNumbers::String(lines), damping),
             MemberNumbers::DampedSpring(freedom, spring, damping) => (MemberNumbers::Spring(freedom, spring), damping),
             undamped => (undamped, DampingNumbers::default()),
+        }
+    }
+
+    /// A line of a path as one between places, in a freedom of the member.
+    pub(crate) fn between_places(self, freedom: usize) -> Self {
+        match self {
+            MemberNumbers::Line(_, line) => MemberNumbers::LineBetween(freedom, line),
+            MemberNumbers::DampedLine(_, line, damping) => MemberNumbers::DampedLineBetween(freedom, line, damping),
+            _ => MemberNumbers::Other,
         }
     }
 

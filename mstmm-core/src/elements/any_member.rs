@@ -7,6 +7,8 @@ use crate::element::{
 use crate::elements::damped_joint::DampedJoint;
 use crate::elements::joint::Joint;
 use crate::elements::shared::chart_scalar::ChartScalar;
+use crate::elements::sideways::Sideways;
+use crate::elements::twist::{DampedTwist, Twist};
 use crate::elements::{
     Across, Beam, DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper,
     GeneralBeam, InPlane, Rod, Shaft, Spring, SpringDamper, TautString, TorsionDamper, TorsionSpring,
@@ -150,7 +152,7 @@ macro_rules! any_member {
 
             fn freedoms(&self) -> Freedoms {
                 match self {
-                    $name::Beam(_) => Freedoms::ALL,
+                    $name::Beam(_) => Freedoms::PLANE,
                     $($name::$joint(joint) => joint.freedoms(),)*
                     $($name::$beam(_) => $freedoms,)*
                     $($name::$connector(_) => along_member::<$connector<T>>(),)*
@@ -231,20 +233,26 @@ macro_rules! any_member {
 any_member!(
     /// Any member without damping.
     UndampedMember, BuiltUndampedMember, Frequency:
-    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::ALL,
+    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::PLANE,
     GeneralBeam(GeneralBeam<T>) in ACROSS,
     StringInPlane(InPlane<TautString<T>>) in DISPLACEMENTS,
+    Sideways(Sideways<TautString<T>>) in Freedoms::Y,
+    Twist(Twist<T>) in Freedoms::RZ,
     ; Spring TorsionSpring TautString Rod Shaft; Joint
 );
 any_member!(
     /// Any member; a network with a damper has complex eigenvalues only.
     AnyMember, BuiltAnyMember, ComplexFrequency:
-    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::ALL,
+    GeneralInPlane(InPlane<GeneralBeam<T>>) in Freedoms::PLANE,
     GeneralBeam(GeneralBeam<T>) in ACROSS,
     StringInPlane(InPlane<TautString<T>>) in DISPLACEMENTS,
-    DampedInPlane(InPlane<DampedBeam<T>>) in Freedoms::ALL,
+    DampedInPlane(InPlane<DampedBeam<T>>) in Freedoms::PLANE,
     DampedBeam(DampedBeam<T>) in ACROSS,
     DampedStringInPlane(InPlane<DampedString<T>>) in DISPLACEMENTS,
+    Sideways(Sideways<TautString<T>>) in Freedoms::Y,
+    DampedSideways(Sideways<DampedString<T>>) in Freedoms::Y,
+    Twist(Twist<T>) in Freedoms::RZ,
+    DampedTwist(DampedTwist<T>) in Freedoms::RZ,
     ;
     Spring TorsionSpring Damper TorsionDamper SpringDamper TorsionSpringDamper TautString Rod Shaft
     DampedSpring DampedTorsionSpring DampedString DampedRod DampedShaft; Joint DampedJoint
@@ -259,6 +267,8 @@ impl<T: Real> AnyMember<T> {
             AnyMember::GeneralInPlane(beam) => beam.into(),
             AnyMember::GeneralBeam(beam) => beam.into(),
             AnyMember::StringInPlane(string) => string.into(),
+            AnyMember::Sideways(string) => string.into(),
+            AnyMember::Twist(twist) => twist.into(),
             AnyMember::Spring(spring) => spring.into(),
             AnyMember::TorsionSpring(spring) => spring.into(),
             AnyMember::TautString(string) => string.into(),

@@ -5,8 +5,9 @@ use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Planar, StateSpace};
 use crate::number::{FrequencyPowers, Parameter, Single};
 use crate::structure::Chart;
-use across::{Along, ChartedAcross};
-use along::AlongWaves;
+use across::Along;
+pub(crate) use across::ChartedAcross;
+pub(crate) use along::AlongWaves;
 use mstmm_plan::{Coordinate, WIDEST};
 use nalgebra::Matrix6;
 

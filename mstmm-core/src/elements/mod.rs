@@ -25,7 +25,9 @@ mod planar_body;
 mod planar_hinge;
 mod point_mass;
 pub(crate) mod shared;
+pub(crate) mod sideways;
 mod tapered_beam;
+pub(crate) mod twist;
 mod wave_line;
 
 pub use any::{AnyElement, AnyUndamped};

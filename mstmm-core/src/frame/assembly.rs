@@ -1,41 +1,41 @@
 //! The nodes and members of a frame: points that bodies tie are one node, supports hold it, paths have nodes of their own.
 
-use crate::element::MemberElement;
 use crate::elements::any_member::AnyMember;
-use crate::elements::joint::Joint;
 use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
 use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
+use crate::frame::joints::rigid;
+use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, freedoms_in};
 use crate::frame::paths::motions;
-use crate::model::{Hold, Tied};
-use crate::pass::network::{self, Node};
+use crate::frame::tensor::definite;
+use crate::model::{Hold, Skew, Tied};
+use crate::pass::network::{self, Part, PlacedNode, SpatialEnd};
 use mstmm_plan::Freedoms;
 use std::format;
 use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-/// The displacements.
-const XY: Freedoms = Freedoms::X.union(Freedoms::Y);
-
-/// A member of the network that a frame is.
-pub(crate) type NetworkMember = network::Member<AnyMember<f64>>;
+/// A part of a member of the network that a frame is.
+pub(crate) type NetworkPart = Part<AnyMember<f64>>;
 
 /// The nodes and members of a frame.
 pub(crate) struct Assembly<'f, D: Dimension> {
     frame: &'f Frame<D>,
-    pub(crate) nodes: Vec<Node<f64>>,
+    pub(crate) nodes: Vec<PlacedNode<f64>>,
     /// What each node is called: of points the first one, of paths the point of a path.
     pub(crate) names: Vec<String>,
     pub(crate) is_of_path: Vec<bool>,
-    pub(crate) members: Vec<NetworkMember>,
-    /// What each member is called.
-    pub(crate) called: Vec<String>,
+    pub(crate) parts: Vec<NetworkPart>,
+    /// What the member of each part is called, and which of its parts it is: its index, and the parameters that its section names.
+    pub(crate) called: Vec<(String, usize, u32)>,
+    /// The first part of each member of the frame, and behind the last one.
+    pub(crate) first_parts: Vec<usize>,
     /// The points of the frame, by their nodes.
     pub(crate) points: Vec<Tied>,
     /// The node and the mass centre of each body.
-    pub(crate) bodies: Vec<(usize, [f64; 2])>,
+    pub(crate) bodies: Vec<(usize, [f64; 3])>,
     /// The freedoms that members and bodies bring to each point.
     brought: Vec<Freedoms>,
     paths: Vec<usize>,
@@ -57,8 +57,9 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             nodes: Vec::new(),
             names: Vec::new(),
             is_of_path: Vec::new(),
-            members: Vec::new(),
+            parts: Vec::new(),
             called: Vec::new(),
+            first_parts: Vec::new(),
             points: Vec::new(),
             bodies: Vec::new(),
             brought: vec![Freedoms::NONE; frame.points.len()],
@@ -71,8 +72,11 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         }
         assembly.tie_points();
         assembly.add_paths();
-        // members of the frame come first, so that their handles are their indices
-        frame.members.iter().enumerate().for_each(|(index, member)| assembly.add_member(index, member));
+        for (index, member) in frame.members.iter().enumerate() {
+            assembly.first_parts.push(assembly.parts.len());
+            assembly.add_member(index, member);
+        }
+        assembly.first_parts.push(assembly.parts.len());
         frame.masses.iter().for_each(|mass| assembly.add_mass(&mass.on, mass.mass));
         (0..frame.points.len()).for_each(|point| assembly.hold(point));
         assembly.settle();
@@ -87,11 +91,11 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         called("point", point, self.frame.points[point].name.as_ref())
     }
 
-    fn place(&self, point: usize) -> [f64; 2] {
-        D::in_plane(self.frame.points[point].place)
+    fn place(&self, point: usize) -> [f64; 3] {
+        D::in_space(self.frame.points[point].place)
     }
 
-    fn add_node(&mut self, node: Node<f64>, name: String, is_of_path: bool) -> usize {
+    fn add_node(&mut self, node: PlacedNode<f64>, name: String, is_of_path: bool) -> usize {
         self.nodes.push(node);
         self.names.push(name);
         self.is_of_path.push(is_of_path);
@@ -114,7 +118,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             for class in &mut first {
                 *class = if classes.contains(class) { least } else { *class };
             }
-            let brought = if body.rigid.turns { Freedoms::ALL } else { XY };
+            let brought = if body.rigid.turns { Freedoms::SPACE } else { DISPLACEMENTS };
             for point in tied.into_iter().flatten() {
                 self.bring(point, brought);
             }
@@ -126,18 +130,25 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             let node = nodes[class].unwrap_or_else(|| {
                 let held = (point..count).find(|other| first[*other] == class && is_held(*other));
                 let place = self.place(held.unwrap_or(point));
-                self.add_node(Node::at(place), self.point_name(point), false)
+                self.add_node(PlacedNode::at(place), self.point_name(point), false)
             });
             nodes[class] = Some(node);
             self.points.push(Tied { node, place: Some(point), freedoms: Freedoms::NONE, hold: None });
         }
-        for body in &self.frame.bodies {
+        for (index, body) in self.frame.bodies.iter().enumerate() {
             let Some(point) = body.points.first().and_then(|handle| self.frame.own(*handle, count)) else { continue };
-            let centre = body.rigid.centre.map_or(self.place(point), D::in_plane);
+            let centre = body.rigid.centre.map_or(self.place(point), D::in_space);
             let node = self.points[point].node;
             self.bodies.push((node, centre));
-            if [body.rigid.mass, body.rigid.inertia] != [0.0; 2] {
-                self.nodes[node] = self.nodes[node].and_body(body.rigid.mass, body.rigid.inertia, centre);
+            if body.rigid.mass == 0.0 && body.rigid.inertia == [0.0; 6] {
+                continue;
+            }
+            // a moment of the plane is checked with its node
+            let is_tensor = D::FREEDOMS == Freedoms::SPACE;
+            let inertia = if is_tensor { definite(body.rigid.inertia) } else { Some(body.rigid.inertia) };
+            match inertia {
+                Some(inertia) => self.nodes[node] = self.nodes[node].and_body(body.rigid.mass, inertia, centre),
+                None => self.fail(called("body", index, body.name.as_ref()), Mistake::Tensor),
             }
         }
     }
@@ -146,27 +157,45 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     fn add_paths(&mut self) {
         for (path, motion) in motions(self.frame).into_iter().enumerate() {
             let name = called("path point", path, self.frame.paths[path].name.as_ref());
-            let held = Freedoms::ALL.without(motion.unwrap_or(Freedoms::NONE));
+            let held = Freedoms::SPACE.without(motion.unwrap_or(Freedoms::NONE));
             if motion.is_none() {
                 self.fail(name.clone(), Mistake::Motions);
             }
-            let node = self.add_node(Node::at([0.0; 2]).held(held), name, true);
+            let node = self.add_node(PlacedNode::at([0.0; 3]).held(held), name, true);
             self.paths.push(node);
         }
     }
 
     /// The node of the ground.
     fn ground(&mut self) -> usize {
-        let ground = self
-            .ground
-            .unwrap_or_else(|| self.add_node(Node::at([0.0; 2]).held(Freedoms::ALL), String::from("the ground"), true));
+        let ground = self.ground.unwrap_or_else(|| {
+            self.add_node(PlacedNode::at([0.0; 3]).held(Freedoms::SPACE), String::from("the ground"), true)
+        });
         self.ground = Some(ground);
         ground
     }
 
-    fn join(&mut self, called: String, ends: [network::End<f64>; 2], element: impl Into<AnyMember<f64>>) {
-        self.members.push(NetworkMember { ends, element: element.into() });
-        self.called.push(called);
+    /// Joins two ends by the parts of a member.
+    ///
+    /// # Errors
+    /// [`Mistake::NoOrientation`] where it leads along its `up`.
+    fn join(&mut self, called: &str, ends: [SpatialEnd<f64>; 2], parts: &Parts) -> Result<(), Mistake> {
+        let vector = |end: &SpatialEnd<f64>| {
+            let place = |end: &SpatialEnd<f64>| end.place.unwrap_or(self.nodes[end.node].position);
+            let [from, to] = ends.each_ref().map(place);
+            end.along.unwrap_or(if parts.is_joint() { [1.0, 0.0, 0.0] } else { [0, 1, 2].map(|k| to[k] - from[k]) })
+        };
+        let along = vector(&ends[0]);
+        let mut planes = Vec::new();
+        for (part, element) in parts.iter() {
+            planes.push((part, element, parts.plane::<D>(part, along)?));
+        }
+        for (part, element, plane) in planes {
+            let ends = ends.map(|end| SpatialEnd { released: freedoms_in(part, end.released), ..end });
+            self.parts.push(NetworkPart { ends, plane, element });
+            self.called.push((String::from(called), part, parts.named));
+        }
+        Ok(())
     }
 
     fn bring(&mut self, point: usize, freedoms: Freedoms) {
@@ -175,35 +204,40 @@ impl<'f, D: Dimension> Assembly<'f, D> {
 
     fn add_member(&mut self, index: usize, entry: &MemberEntry<D>) {
         let name = called("member", index, entry.name.as_ref());
-        let element = match entry.member.element {
-            Ok(element) => element,
+        let parts = match entry.member.parts {
+            Ok(parts) => parts,
             Err(mistake) => return self.fail(name, mistake),
         };
-        let is_rigid = match element {
+        let is_rigid = parts.iter().all(|(_, element)| match element {
             AnyMember::Joint(joint) => joint.is_rigid(),
             AnyMember::DampedJoint(joint) => joint.is_rigid(),
             _ => false,
-        };
-        if is_rigid && element.freedoms() == D::FREEDOMS {
+        });
+        if is_rigid && parts.freedoms() == D::FREEDOMS {
             return self.fail(name, Mistake::RigidHinge);
         }
         let ends = entry.ends.map(|end| end.releasing(entry.member.released));
-        let joined = [0, 1].map(|end| self.joined(&ends[end], &ends[1 - end], element));
-        match joined {
-            [Ok(from), Ok(to)] => self.join(name, [from, to], element),
-            [Err(mistake), _] | [_, Err(mistake)] => self.fail(name, mistake),
-        }
+        let joined = [0, 1].map(|end| self.joined(&ends[end], &ends[1 - end], &parts));
+        let failed = match joined {
+            [Ok(from), Ok(to)] => self.join(&name, [from, to], &without_twist(parts, [from, to])).err(),
+            [Err(mistake), _] | [_, Err(mistake)] => Some(mistake),
+        };
+        failed.into_iter().for_each(|mistake| self.fail(name.clone(), mistake));
     }
 
     /// The end of a member in the network, given its other end.
-    fn joined(&mut self, end: &End<D>, other: &End<D>, element: AnyMember<f64>) -> Result<network::End<f64>, Mistake> {
-        let freedoms = element.freedoms();
-        let (is_joint, is_along) = (element.is_joint(), freedoms.is(Freedoms::X));
-        let has_motion = freedoms.count() == 1 && !is_joint;
+    fn joined(&mut self, end: &End<D>, other: &End<D>, parts: &Parts) -> Result<SpatialEnd<f64>, Mistake> {
+        let (is_joint, motion) = (parts.is_joint(), parts.motion());
+        let (is_along, turns) = (motion == Some(Freedoms::X), motion == Some(Freedoms::RZ));
+        // in the plane all turns about z
+        let turns_about = turns && D::FREEDOMS == Freedoms::SPACE;
+        if end.along.is_some() && end.turns != turns_about && (is_along || turns || is_joint) {
+            return Err(if turns && !turns_about { Mistake::Direction } else { Mistake::WrongWay });
+        }
         // what acts along a direction has one at both ends, or leads from the one place to the other
         let between_places = [end, other].iter().all(|end| matches!(end.seat, Seat::Point(_)) && end.along.is_none());
         let along = match end.along.or_else(|| D::ACROSS.filter(|_| is_along)) {
-            Some(direction) if !(is_along || is_joint) || !network::is_direction(direction) => {
+            Some(direction) if !(is_along || is_joint || turns_about) || !network::is_direction(direction) => {
                 return Err(Mistake::Direction);
             }
             along => along,
@@ -211,29 +245,33 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         let own = match end.seat {
             Seat::Point(handle) => {
                 let point = self.frame.own(handle, self.frame.points.len()).ok_or(Mistake::OtherFrame)?;
-                if is_along && along.is_none() && !between_places {
-                    return Err(Mistake::NoDirection);
+                if along.is_none() && (is_along && !between_places || turns_about) {
+                    return Err(if turns_about { Mistake::NoAxis } else { Mistake::NoDirection });
                 }
-                let (node, place) = (self.points[point].node, end.place.map_or(self.place(point), D::in_plane));
+                let (node, place) = (self.points[point].node, end.place.map_or(self.place(point), D::in_space));
                 let is_elsewhere = place != self.nodes[node].position;
                 // where its point turns, an end beside it moves
-                let arm = if place == self.place(point) { Freedoms::NONE } else { Freedoms::RZ };
-                self.bring(point, brought_by(element).without(end.released.intersection(Freedoms::RZ)).union(arm));
-                let joined = network::End::of(node).releasing(end.released);
-                if is_elsewhere { joined.at(place) } else { joined }
+                let arm = if place == self.place(point) { Freedoms::NONE } else { ROTATIONS };
+                // rotations come together, unless the end lets go of all that the member has
+                let own = parts.freedoms().intersection(ROTATIONS);
+                let let_go = if end.released.contains(own) { ROTATIONS } else { Freedoms::NONE };
+                self.bring(point, parts.brought::<D>().without(let_go).union(arm));
+                SpatialEnd { node, place: is_elsewhere.then_some(place), along: None, released: end.released }
             }
-            _ if !has_motion => return Err(Mistake::NoPlace),
+            _ if motion.is_none() => return Err(Mistake::NoPlace),
             Seat::Path(handle) => {
                 let path = self.frame.own(handle, self.paths.len()).ok_or(Mistake::OtherFrame)?;
-                network::End::of(self.paths[path])
+                at_node(self.paths[path])
             }
-            Seat::Ground => network::End::of(self.ground()),
+            Seat::Ground => at_node(self.ground()),
         };
-        let of_path = !matches!(end.seat, Seat::Point(_)) && is_along;
-        Ok(match if of_path { Some([1.0, 0.0]) } else { along } {
-            Some(direction) => own.along(direction),
-            None => own,
-        })
+        // the motion of a path is that along x, or about z, of its node
+        let of_path = match end.seat {
+            Seat::Point(_) => None,
+            _ if is_along => Some([1.0, 0.0, 0.0]),
+            _ => turns_about.then_some([0.0, 0.0, 1.0]),
+        };
+        Ok(SpatialEnd { along: of_path.or(along), ..own })
     }
 
     /// A mass on the motion of a path, or on that of a point in a direction.
@@ -249,17 +287,19 @@ impl<'f, D: Dimension> Assembly<'f, D> {
                 let Some(point) = self.frame.own(handle, self.frame.points.len()) else {
                     return self.fail(part, Mistake::OtherFrame);
                 };
-                self.bring(point, XY);
-                let (node, place) = (self.points[point].node, on.place.map_or(self.place(point), D::in_plane));
+                self.bring(point, DISPLACEMENTS);
+                let (node, place) = (self.points[point].node, on.place.map_or(self.place(point), D::in_space));
                 let Some(direction) = on.along.or(D::ACROSS) else {
-                    self.nodes[node] = self.nodes[node].and_body(mass, 0.0, place);
+                    self.nodes[node] = self.nodes[node].and_body(mass, [0.0; 6], place);
                     return;
                 };
-                let held = Freedoms::ALL.without(Freedoms::X);
-                let own = self.add_node(Node::at(place).held(held), part.clone(), true);
+                let held = Freedoms::SPACE.without(Freedoms::X);
+                let own = self.add_node(PlacedNode::at(place).held(held), part.clone(), true);
                 self.add_to_node(own, mass);
-                let ends = [network::End::of(own).along([1.0, 0.0]), network::End::of(node).at(place).along(direction)];
-                self.join(part, ends, Joint::rigid(Freedoms::X));
+                let of_node = SpatialEnd { place: Some(place), along: Some(direction), ..at_node(node) };
+                let ends = [SpatialEnd { along: Some([1.0, 0.0, 0.0]), ..at_node(own) }, of_node];
+                let failed = self.join(&part, ends, &rigid(Freedoms::X)).err();
+                failed.into_iter().for_each(|mistake| self.fail(part.clone(), mistake));
             }
         }
     }
@@ -267,12 +307,9 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     /// Adds a mass to the motion of a path.
     fn add_to_node(&mut self, node: usize, mass: f64) {
         let turns = !self.nodes[node].held.contains(Freedoms::RZ);
-        let Node { mass: own, inertia, .. } = self.nodes[node];
-        self.nodes[node] = if turns {
-            self.nodes[node].with_body(own, inertia + mass, [0.0; 2])
-        } else {
-            self.nodes[node].with_body(own + mass, inertia, self.nodes[node].position)
-        };
+        let own = self.nodes[node];
+        let inertia = if turns { [0.0, 0.0, mass, 0.0, 0.0, 0.0] } else { [0.0; 6] };
+        self.nodes[node] = own.and_body(if turns { 0.0 } else { mass }, inertia, own.position);
     }
 
     /// A support holds the node of its point. A second one on a body holds another place of it, by a rigid joint with the ground.
@@ -285,21 +322,31 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         let Tied { node, .. } = self.points[point];
         let place = self.place(point);
         let is_second = (0..point).any(|other| self.points[other].node == node && self.points[other].hold.is_some());
+        if !hold.has_direction {
+            return self.fail(self.point_name(point), Mistake::NoWay);
+        }
+        let held = match hold.skew {
+            None => hold.freedoms,
+            // across a direction it is held, or along it
+            Some(Skew::Along(_)) => hold.freedoms.union(DISPLACEMENTS.without(Freedoms::X).intersection(D::FREEDOMS)),
+            Some(Skew::Normal(_)) => hold.freedoms.union(Freedoms::X),
+        };
         let holding = if is_second {
             let name = self.point_name(point);
-            let ground = self.add_node(Node::at(place).held(Freedoms::ALL), name.clone(), false);
-            let freedoms = if hold.along.is_some() { hold.freedoms.union(Freedoms::Y) } else { hold.freedoms };
-            let axis = hold.along.unwrap_or([1.0, 0.0]);
-            let ends = [network::End::of(ground), network::End::of(node).at(place)].map(|end| end.along(axis));
-            self.join(name, ends, Joint::rigid(freedoms));
+            let ground = self.add_node(PlacedNode::at(place).held(Freedoms::SPACE), name.clone(), false);
+            let axis = hold.skew.map_or([1.0, 0.0, 0.0], |skew| *skew.direction());
+            let of_body = SpatialEnd { place: Some(place), ..at_node(node) };
+            let ends = [at_node(ground), of_body].map(|end| SpatialEnd { along: Some(axis), ..end });
+            let failed = self.join(&name, ends, &rigid(held)).err();
+            failed.into_iter().for_each(|mistake| self.fail(name.clone(), mistake));
             ground
         } else {
             let own = &mut self.nodes[node];
-            (own.held, own.along) = (hold.freedoms, hold.along);
+            (own.held, own.skew) = (hold.freedoms, hold.skew);
             node
         };
-        let across = if hold.along.is_some() { XY } else { Freedoms::NONE };
-        self.points[point].hold = Some(Hold { node: holding, freedoms: hold.freedoms.union(across) });
+        let skewed = if hold.skew.is_some() { DISPLACEMENTS.intersection(D::FREEDOMS) } else { Freedoms::NONE };
+        self.points[point].hold = Some(Hold { node: holding, freedoms: hold.freedoms.union(skewed) });
     }
 
     /// Holds what nothing brings to a node.
@@ -313,9 +360,9 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         }
         for tied in &self.points {
             let node = &mut self.nodes[tied.node];
-            // across a direction it is held already
-            let of_direction = if node.along.is_some() { XY } else { Freedoms::NONE };
-            node.held = node.held.union(Freedoms::ALL.without(of_nodes[tied.node]).without(of_direction));
+            // displacements of a skew node are held as its direction says
+            let of_direction = if node.skew.is_some() { DISPLACEMENTS } else { Freedoms::NONE };
+            node.held = node.held.union(Freedoms::SPACE.without(of_nodes[tied.node]).without(of_direction));
         }
         if self.frame.members.is_empty() {
             self.fail(String::from("the frame"), Mistake::Empty);
@@ -323,13 +370,14 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     }
 }
 
-/// The freedoms that an element brings to a point.
-fn brought_by(element: AnyMember<f64>) -> Freedoms {
-    let freedoms = element.freedoms();
-    match freedoms.contains(Freedoms::RZ) {
-        true if freedoms.is(Freedoms::RZ) && !element.is_joint() => Freedoms::RZ,
-        // joints share what they tie, and what they let go moves on both sides
-        true => Freedoms::ALL,
-        false => XY,
-    }
+/// An end at a node, in its axes.
+fn at_node(node: usize) -> SpatialEnd<f64> {
+    SpatialEnd { node, place: None, along: None, released: Freedoms::NONE }
+}
+
+/// The parts of a member without its twist where both ends let it go: it turns freely about itself, and nothing sees that.
+fn without_twist(parts: Parts, ends: [SpatialEnd<f64>; 2]) -> Parts {
+    let is_free = !parts.is_joint() && ends.iter().all(|end| end.released.contains(Freedoms::RX));
+    let [first, second, twist] = parts.elements;
+    Parts { elements: [first, second, twist.filter(|_| !is_free)], ..parts }
 }

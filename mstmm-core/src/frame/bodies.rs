@@ -1,16 +1,17 @@
 //! What ties points rigidly: bodies, links, masses at points.
 
-use crate::frame::dimension::{Dimension, Line, Plane};
+use crate::frame::dimension::{Dimension, Line, Plane, Space};
+use crate::frame::tensor::Tensor;
 
-/// A rigid body that ties points: its mass, its moment of inertia about its mass centre, and that centre.
+/// A rigid body that ties points: its mass, its inertia about its mass centre, and that centre.
 ///
-/// `P` is a place: `f64` along a line, `[f64; 2]` in the plane.
+/// `P` is a place: `f64` along a line, `[f64; 2]` in the plane, `[f64; 3]` in space. There the inertia is a [`Tensor`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RigidBody<P> {
+pub struct RigidBody<P, I = f64> {
     /// Mass \[kg\], zero or positive.
     pub mass: f64,
-    /// Moment of inertia about the mass centre [kg m²], zero or positive.
-    pub inertia: f64,
+    /// Moment of inertia, or tensor of inertia, about the mass centre [kg m²], zero or positive.
+    pub inertia: I,
     /// Mass centre \[m\].
     pub centre: P,
 }
@@ -21,18 +22,19 @@ pub struct RigidLink;
 
 /// A mass at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PointMass {
+pub struct PointMass<I = f64> {
     /// Mass \[kg\], zero or positive.
     pub mass: f64,
-    /// Moment of inertia [kg m²], zero or positive.
-    pub inertia: f64,
+    /// Moment of inertia [kg m²], zero or positive; in space a [`Tensor`].
+    pub inertia: I,
 }
 
 /// What ties points rigidly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigid<D: Dimension> {
     pub(crate) mass: f64,
-    pub(crate) inertia: f64,
+    /// The entries of its tensor of inertia.
+    pub(crate) inertia: [f64; 6],
     /// The mass centre; none at the first point.
     pub(crate) centre: Option<D::Place>,
     /// Whether the points turn with it, even where it has no inertia.
@@ -41,24 +43,25 @@ pub struct Rigid<D: Dimension> {
 
 impl<D: Dimension> From<RigidLink> for Rigid<D> {
     fn from(_: RigidLink) -> Self {
-        Rigid { mass: 0.0, inertia: 0.0, centre: None, turns: true }
-    }
-}
-
-impl<D: Dimension> From<PointMass> for Rigid<D> {
-    fn from(PointMass { mass, inertia }: PointMass) -> Self {
-        Rigid { mass, inertia, centre: None, turns: inertia != 0.0 }
+        Rigid { mass: 0.0, inertia: [0.0; 6], centre: None, turns: true }
     }
 }
 
 /// Bodies with places of a dimension.
-macro_rules! with_centre {
-    ($($dimension:ty: $place:ty;)*) => {$(
-        impl From<RigidBody<$place>> for Rigid<$dimension> {
-            fn from(RigidBody { mass, inertia, centre }: RigidBody<$place>) -> Self {
-                Rigid { mass, inertia, centre: Some(centre), turns: true }
+macro_rules! bodies {
+    ($($dimension:ty: $place:ty, $inertia:ty;)*) => {$(
+        impl From<RigidBody<$place, $inertia>> for Rigid<$dimension> {
+            fn from(RigidBody { mass, inertia, centre }: RigidBody<$place, $inertia>) -> Self {
+                Rigid { mass, inertia: <$dimension>::tensor(inertia), centre: Some(centre), turns: true }
+            }
+        }
+
+        impl From<PointMass<$inertia>> for Rigid<$dimension> {
+            fn from(PointMass { mass, inertia }: PointMass<$inertia>) -> Self {
+                let inertia = <$dimension>::tensor(inertia);
+                Rigid { mass, inertia, centre: None, turns: inertia != [0.0; 6] }
             }
         }
     )*};
 }
-with_centre!(Line: f64; Plane: [f64; 2];);
+bodies!(Line: f64, f64; Plane: [f64; 2], f64; Space: [f64; 3], Tensor;);

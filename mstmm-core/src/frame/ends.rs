@@ -1,6 +1,6 @@
 //! The ends of members: at points, at points of paths, at the ground.
 
-use crate::frame::dimension::{Dimension, Place, Plane};
+use crate::frame::dimension::{Dimension, Place, Plane, Space};
 use crate::frame::point::Point;
 use crate::model::Handle;
 use core::fmt::{self, Debug};
@@ -23,13 +23,15 @@ pub struct End<D: Dimension> {
     pub(crate) place: Option<D::Place>,
     /// The freedoms that it does not share with its point, in the axes of its member.
     pub(crate) released: Freedoms,
-    /// The direction in which it acts.
-    pub(crate) along: Option<[f64; 2]>,
+    /// The direction in which it acts, or the axis about which it turns.
+    pub(crate) along: Option<[f64; 3]>,
+    /// Whether it turns about that.
+    pub(crate) turns: bool,
 }
 
 impl<D: Dimension> End<D> {
     fn of(seat: Seat) -> Self {
-        End { seat, place: None, released: Freedoms::NONE, along: None }
+        End { seat, place: None, released: Freedoms::NONE, along: None, turns: false }
     }
 
     /// The end without freedoms that it shares with its point, in the axes of its member.
@@ -48,8 +50,22 @@ impl<D: Dimension> End<D> {
 impl End<Plane> {
     /// The end in a direction, of any length: of a spring, a damper, a path, or a joint.
     #[must_use]
-    pub fn along(self, direction: [f64; 2]) -> Self {
+    pub fn along(self, [x, y]: [f64; 2]) -> Self {
+        End { along: Some([x, y, 0.0]), ..self }
+    }
+}
+
+impl End<Space> {
+    /// The end in a direction, of any length: of a spring, a damper, a path, or a joint.
+    #[must_use]
+    pub fn along(self, direction: [f64; 3]) -> Self {
         End { along: Some(direction), ..self }
+    }
+
+    /// The end of what turns about an axis, of any length, right-handed: of a torsion spring, a torsion damper, a shaft of a path.
+    #[must_use]
+    pub fn about(self, axis: [f64; 3]) -> Self {
+        End { along: Some(axis), turns: true, ..self }
     }
 }
 
@@ -99,6 +115,18 @@ impl Point<Plane> {
     /// An end here that acts along a direction, of any length: of a spring, a damper, a path, or a joint.
     pub fn along(self, direction: [f64; 2]) -> End<Plane> {
         End::from(self).along(direction)
+    }
+}
+
+impl Point<Space> {
+    /// An end here that acts along a direction, of any length: of a spring, a damper, a path, or a joint.
+    pub fn along(self, direction: [f64; 3]) -> End<Space> {
+        End::from(self).along(direction)
+    }
+
+    /// An end here of what turns about an axis, of any length, right-handed: of a torsion spring, a torsion damper, a shaft of a path.
+    pub fn about(self, axis: [f64; 3]) -> End<Space> {
+        End::from(self).about(axis)
     }
 }
 

@@ -16,6 +16,16 @@ pub enum Mistake {
         /// The parameter that it needs.
         parameter: &'static str,
     },
+    /// A beam in space names too little.
+    MissingInSpace {
+        /// The parameter that it needs.
+        parameter: &'static str,
+    },
+    /// A section names a parameter for both planes of a member in space, and for one of them.
+    Twice {
+        /// The parameter of one plane.
+        parameter: &'static str,
+    },
     /// A section names a parameter that the element has not.
     Foreign {
         /// The element.
@@ -45,6 +55,18 @@ pub enum Mistake {
     NoDirection,
     /// A direction is zero, not finite or beyond 1e±70, or the element has none to choose.
     Direction,
+    /// A hinge names a freedom that points of this dimension have not.
+    OtherDimension,
+    /// What turns in space acts on a point about no axis.
+    NoAxis,
+    /// An end acts along a direction where it should turn about an axis, or the other way round.
+    WrongWay,
+    /// A member in space leads along its `up`.
+    NoOrientation,
+    /// A roller or a guide in space says no direction.
+    NoWay,
+    /// A tensor of inertia is indefinite or not finite.
+    Tensor,
     /// Both ends of a member are at one place.
     SamePlace,
     /// The ends of a joint are at two places.
@@ -75,6 +97,20 @@ impl fmt::Display for Mistake {
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
+            Mistake::MissingInSpace { parameter } => {
+                write!(
+                    f,
+                    "`{parameter}` is missing: a beam in space stretches, turns and bends both ways, so it has `axial_stiffness`, \
+                     `torsional_stiffness`, `bending_stiffness` or `bending_stiffness_y` and `_z`, `mass_per_length`, \
+                     `polar_inertia_per_length`; a `Bar` does not turn"
+                )
+            }
+            Mistake::Twice { parameter } => {
+                write!(
+                    f,
+                    "`{parameter}` is named, and that without an index, which stands for both planes: name one of them"
+                )
+            }
             Mistake::Foreign { element, parameter } => write!(f, "a {element} has no `{parameter}`"),
             Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
             Mistake::ShearStiffness { value } => write!(f, "shear_stiffness is {value}, but must be positive"),
@@ -88,6 +124,29 @@ impl fmt::Display for Mistake {
                     f,
                     "its direction is zero, not finite, beyond 1e±70, or not its own to choose, as that of a beam"
                 )
+            }
+            Mistake::OtherDimension => write!(f, "it names a stiffness, a damping or an `up` of another dimension"),
+            Mistake::NoAxis => write!(f, "it turns about no axis: `point.about([x, y, z])`"),
+            Mistake::WrongWay => {
+                write!(
+                    f,
+                    "springs and dampers act `along` a direction, and torsion springs, torsion dampers and shafts `about` an axis"
+                )
+            }
+            Mistake::NoOrientation => {
+                write!(
+                    f,
+                    "it leads along its `up`, which is [0, 0, 1] unless it is named, and both its planes differ: name another `up`"
+                )
+            }
+            Mistake::NoWay => {
+                write!(
+                    f,
+                    "a roller or a guide in space says which way: `Roller::normal([0.0, 0.0, 1.0])` holds one direction, `Roller::along` leaves one"
+                )
+            }
+            Mistake::Tensor => {
+                write!(f, "its tensor of inertia is not finite, or indefinite: a moment about some axis is negative")
             }
             Mistake::SamePlace => {
                 write!(f, "both ends are at one place: beams and strings have a length, a spring there a direction")

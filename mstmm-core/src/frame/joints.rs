@@ -2,8 +2,10 @@
 
 use crate::elements::damped_joint::DampedJoint;
 use crate::elements::joint::Joint;
-use crate::frame::dimension::{Dimension, Plane};
+use crate::frame::dimension::{Dimension, Plane, Space};
+use crate::frame::error::Mistake;
 use crate::frame::member::{FrameElement, FrameMember, OfJoint};
+use crate::frame::parts::{DISPLACEMENTS, MOST_PARTS, Parts, freedoms_in};
 use mstmm_plan::Freedoms;
 
 /// A hinge: what it names is flexible, and what it does not name is rigid. Zero lets go.
@@ -28,10 +30,11 @@ use mstmm_plan::Freedoms;
 /// With a damping, a loss factor or a time of Kelvin and Voigt it has complex stiffnesses `κ = K (1 + iη)(1 + cλ) + dλ`, and the frame eigenvalues.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hinge {
-    stiffness: [Option<f64>; 3],
-    damping: [Option<f64>; 3],
+    stiffness: [Option<f64>; 6],
+    damping: [Option<f64>; 6],
     /// Loss factor and time of Kelvin and Voigt.
     losses: [Option<f64>; 2],
+    up: Option<[f64; 3]>,
 }
 
 /// Declares what a hinge names, by its place.
@@ -63,6 +66,18 @@ named! {
     damping_y: damping[1];
     /// The damping of a dashpot about z [N m s/rad].
     damping_rz: damping[2];
+    /// The stiffness along z [N/m], in space.
+    stiffness_z: stiffness[3];
+    /// The stiffness of the rotation about x [N m/rad], in space.
+    stiffness_rx: stiffness[4];
+    /// The stiffness of the rotation about y [N m/rad], in space.
+    stiffness_ry: stiffness[5];
+    /// The damping of a dashpot along z [N s/m], in space.
+    damping_z: damping[3];
+    /// The damping of a dashpot about x [N m s/rad], in space.
+    damping_rx: damping[4];
+    /// The damping of a dashpot about y [N m s/rad], in space.
+    damping_ry: damping[5];
     /// The loss factor η of all stiffnesses.
     loss_factor: losses[0];
     /// The time c of Kelvin and Voigt of all stiffnesses \[s\].
@@ -70,13 +85,19 @@ named! {
 }
 
 impl Hinge {
+    /// The vector that is made the z axis of a hinge in space whose x axis is a direction.
+    #[must_use]
+    pub const fn up(self, up: [f64; 3]) -> Self {
+        Hinge { up: Some(up), ..self }
+    }
+
     /// A hinge that names nothing yet: it would be rigid.
     pub const fn new() -> Self {
-        Hinge { stiffness: [None; 3], damping: [None; 3], losses: [None; 2] }
+        Hinge { stiffness: [None; 6], damping: [None; 6], losses: [None; 2], up: None }
     }
 }
 
-/// A hinge without stiffness: two points share displacements and no rotation.
+/// A hinge without stiffness: two points share displacements and no rotation. In space it is a ball joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pin;
 
@@ -84,15 +105,84 @@ pub struct Pin;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slider;
 
+/// A joint in space that ties some freedoms rigidly, in axes whose x leads along the direction of its ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tie {
+    freedoms: Freedoms,
+}
+
+impl Tie {
+    /// The joint that ties some freedoms.
+    pub const fn of(freedoms: Freedoms) -> Self {
+        Tie { freedoms }
+    }
+
+    /// Two points share displacements, and no rotation.
+    pub const fn ball() -> Self {
+        Tie::of(DISPLACEMENTS)
+    }
+
+    /// Two points share displacements and the rotation about x.
+    pub const fn universal() -> Self {
+        Tie::of(DISPLACEMENTS.union(Freedoms::RX))
+    }
+
+    /// Two points share all but the rotation about x.
+    pub const fn revolute() -> Self {
+        Tie::of(Freedoms::SPACE.without(Freedoms::RX))
+    }
+
+    /// Two points share all but the displacement along x.
+    pub const fn prismatic() -> Self {
+        Tie::of(Freedoms::SPACE.without(Freedoms::X))
+    }
+
+    /// Two points share all but the displacement along x and the rotation about it.
+    pub const fn cylindrical() -> Self {
+        Tie::of(Freedoms::SPACE.without(Freedoms::X).without(Freedoms::RX))
+    }
+}
+
+/// The places of the freedoms of a part among the six of a point.
+const OF_PART: [[Option<usize>; 3]; MOST_PARTS] =
+    [[Some(0), Some(1), Some(2)], [None, Some(3), Some(5)], [None, None, Some(4)]];
+
+/// The parts of a joint that ties freedoms rigidly but where a stiffness or a damping is given.
+fn parts(freedoms: Freedoms, hinge: &Hinge) -> Parts {
+    let mut elements = [None; MOST_PARTS];
+    for (part, element) in elements.iter_mut().enumerate() {
+        let of = |list: &[Option<f64>; 6]| OF_PART[part].map(|place| place.and_then(|place| list[place]));
+        let (stiffness, damping) = (of(&hinge.stiffness), of(&hinge.damping));
+        let own = freedoms_in(part, freedoms);
+        let is_there = !own.is_empty() || stiffness.iter().chain(&damping).any(Option::is_some);
+        *element = is_there.then(|| {
+            if damping.iter().chain(&hinge.losses).all(Option::is_none) {
+                return Joint::hinge(own, stiffness).into();
+            }
+            DampedJoint::hinge(own, stiffness, damping, hinge.losses.map(Option::unwrap_or_default)).into()
+        });
+    }
+    let is_alike = |list: &[Option<f64>; 6]| list[1] == list[3] && list[2] == list[5];
+    let is_symmetric = is_alike(&hinge.stiffness)
+        && is_alike(&hinge.damping)
+        && [[Freedoms::Y, Freedoms::Z], [Freedoms::RZ, Freedoms::RY]]
+            .iter()
+            .all(|[one, other]| freedoms.contains(*one) == freedoms.contains(*other));
+    Parts { elements, up: hinge.up, is_symmetric, named: 0 }
+}
+
 impl<D: Dimension> FrameElement<D> for Hinge {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        let Hinge { stiffness, damping, losses } = self;
-        if damping.iter().chain(&losses).all(Option::is_none) {
-            return FrameMember::known(Joint::hinge(D::FREEDOMS, stiffness));
+        let foreign = Freedoms::EACH.into_iter().enumerate().find(|(place, freedom)| {
+            let is_named = self.stiffness[*place].is_some() || self.damping[*place].is_some();
+            is_named && !D::FREEDOMS.contains(*freedom)
+        });
+        if foreign.is_some() || self.up.is_some() && D::FREEDOMS != Freedoms::SPACE {
+            return FrameMember::of_parts(Err(Mistake::OtherDimension));
         }
-        FrameMember::known(DampedJoint::hinge(D::FREEDOMS, stiffness, damping, losses.map(Option::unwrap_or_default)))
+        FrameMember::of_parts(Ok(parts(D::FREEDOMS, &self)))
     }
 }
 
@@ -100,7 +190,7 @@ impl<D: Dimension> FrameElement<D> for Pin {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        FrameMember::known(Joint::rigid(Freedoms::X.union(Freedoms::Y).intersection(D::FREEDOMS)))
+        FrameMember::of_parts(Ok(parts(DISPLACEMENTS.intersection(D::FREEDOMS), &Hinge::new())))
     }
 }
 
@@ -108,6 +198,27 @@ impl FrameElement<Plane> for Slider {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        FrameMember::known(Joint::rigid(Freedoms::Y.union(Freedoms::RZ)))
+        FrameMember::of_parts(Ok(parts(Freedoms::PLANE.without(Freedoms::X), &Hinge::new())))
     }
+}
+
+impl FrameElement<Space> for Slider {
+    type Kind = OfJoint;
+
+    fn member(self) -> FrameMember {
+        FrameElement::<Space>::member(Tie::prismatic())
+    }
+}
+
+impl FrameElement<Space> for Tie {
+    type Kind = OfJoint;
+
+    fn member(self) -> FrameMember {
+        FrameMember::of_parts(Ok(parts(self.freedoms, &Hinge::new())))
+    }
+}
+
+/// The parts of a joint that ties some freedoms rigidly.
+pub(crate) fn rigid(freedoms: Freedoms) -> Parts {
+    parts(freedoms, &Hinge::new())
 }

@@ -8,6 +8,7 @@ use crate::elements::{
 };
 use crate::frame::dimension::{Dimension, Line, Plane};
 use crate::frame::error::Mistake;
+use crate::frame::parts::Parts;
 use crate::frame::point::InFrame;
 use crate::frame::section::{Parameter, Section, name_of};
 use crate::model::MemberLabel;
@@ -62,14 +63,19 @@ pub struct TautString(pub Section);
 /// What stands between two ends of a frame: an element, or why it is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameMember {
-    pub(crate) element: Result<AnyMember<f64>, Mistake>,
-    /// The freedoms that its ends do not share with their points, whatever these say.
+    pub(crate) parts: Result<Parts, Mistake>,
+    /// The freedoms that its ends do not share with their points, whatever these say, in its own axes.
     pub(crate) released: Freedoms,
 }
 
 impl FrameMember {
     fn of(element: Result<AnyMember<f64>, Mistake>) -> Self {
-        FrameMember { element, released: Freedoms::NONE }
+        FrameMember::of_parts(element.map(Parts::one))
+    }
+
+    /// A member of parts.
+    pub(crate) fn of_parts(parts: Result<Parts, Mistake>) -> Self {
+        FrameMember { parts, released: Freedoms::NONE }
     }
 
     /// An element that is known.
@@ -94,7 +100,7 @@ pub trait FrameElement<D: Dimension> {
 }
 
 /// The parameters that select a beam with more than bending and mass.
-const GENERAL: [Parameter; 5] = [
+pub(super) const GENERAL: [Parameter; 5] = [
     Parameter::shear_stiffness,
     Parameter::rotary_inertia,
     Parameter::axial_force,
@@ -103,21 +109,49 @@ const GENERAL: [Parameter; 5] = [
 ];
 
 /// The parameters that select a damped beam.
-const LOSSES: [Parameter; 3] = [Parameter::loss_factor, Parameter::kelvin_voigt_time, Parameter::external_damping];
+pub(super) const LOSSES: [Parameter; 3] =
+    [Parameter::loss_factor, Parameter::kelvin_voigt_time, Parameter::external_damping];
+
+/// The parameters of beams in space alone.
+const SPATIAL: [Parameter; 12] = [
+    Parameter::torsional_stiffness,
+    Parameter::polar_inertia_per_length,
+    Parameter::bending_stiffness_y,
+    Parameter::bending_stiffness_z,
+    Parameter::shear_stiffness_y,
+    Parameter::shear_stiffness_z,
+    Parameter::rotary_inertia_y,
+    Parameter::rotary_inertia_z,
+    Parameter::foundation_stiffness_y,
+    Parameter::foundation_stiffness_z,
+    Parameter::foundation_shear_stiffness_y,
+    Parameter::foundation_shear_stiffness_z,
+];
+
+/// Checks that a section names nothing of space.
+fn refuse_spatial(section: &Section, element: &'static str) -> Result<(), Mistake> {
+    if section.z_axis().is_some() {
+        return Err(Mistake::Foreign { element, parameter: "up" });
+    }
+    match SPATIAL.into_iter().find(|parameter| section.get(*parameter).is_some()) {
+        Some(parameter) => Err(Mistake::Foreign { element, parameter: name_of(parameter) }),
+        None => Ok(()),
+    }
+}
 
 /// A parameter that a beam needs.
-fn needed(section: &Section, parameter: Parameter) -> Result<f64, Mistake> {
+pub(super) fn needed(section: &Section, parameter: Parameter) -> Result<f64, Mistake> {
     section.get(parameter).ok_or(Mistake::Missing { parameter: name_of(parameter) })
 }
 
 /// A parameter that may be left out: what is not named is rigid, or not there.
-fn or_neutral(section: &Section, parameter: Parameter) -> f64 {
+pub(super) fn or_neutral(section: &Section, parameter: Parameter) -> f64 {
     let is_rigid = matches!(parameter, Parameter::shear_stiffness);
     section.get(parameter).unwrap_or(if is_rigid { f64::INFINITY } else { 0.0 })
 }
 
 /// Whether a section names one of some parameters.
-fn names(section: &Section, parameters: &[Parameter]) -> bool {
+pub(super) fn names(section: &Section, parameters: &[Parameter]) -> bool {
     parameters.iter().any(|parameter| section.get(*parameter).is_some())
 }
 
@@ -134,14 +168,14 @@ macro_rules! beam {
 }
 
 /// The general beam of a section.
-fn general(section: &Section) -> Result<GeneralBeam<f64>, Mistake> {
+pub(super) fn general(section: &Section) -> Result<GeneralBeam<f64>, Mistake> {
     Ok(beam!(GeneralBeam of section {
         shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness
     }))
 }
 
 /// The beam with damping of a section.
-fn damped(section: &Section) -> Result<DampedBeam<f64>, Mistake> {
+pub(super) fn damped(section: &Section) -> Result<DampedBeam<f64>, Mistake> {
     Ok(beam!(DampedBeam of section {
         shear_stiffness, rotary_inertia, axial_force, foundation_stiffness, foundation_shear_stiffness,
         loss_factor, kelvin_voigt_time, external_damping
@@ -149,7 +183,7 @@ fn damped(section: &Section) -> Result<DampedBeam<f64>, Mistake> {
 }
 
 /// Checks that a beam has no tension, and that its shear stiffness is positive.
-fn check(section: &Section) -> Result<(), Mistake> {
+pub(super) fn check(section: &Section) -> Result<(), Mistake> {
     if section.get(Parameter::tension).is_some() {
         return Err(Mistake::Foreign { element: "beam", parameter: name_of(Parameter::tension) });
     }
@@ -161,6 +195,7 @@ fn check(section: &Section) -> Result<(), Mistake> {
 
 /// The beam of a section along a line.
 fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
+    refuse_spatial(section, "beam along a line")?;
     if section.get(Parameter::axial_stiffness).is_some() {
         return Err(Mistake::AxialStiffness);
     }
@@ -170,6 +205,7 @@ fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
 
 /// The beam of a section in the plane.
 fn in_plane(section: &Section) -> Result<AnyMember<f64>, Mistake> {
+    refuse_spatial(section, "beam in the plane")?;
     let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
     check(section)?;
     Ok(if names(section, &LOSSES) {
@@ -192,8 +228,14 @@ const OF_STRING: [Parameter; 5] = [
     Parameter::external_damping,
 ];
 
-/// The string of a section in the plane.
-fn string(section: &Section) -> Result<AnyMember<f64>, Mistake> {
+/// A string: without damping, or in a medium.
+pub(super) enum Strings {
+    Undamped(PathString<f64>),
+    Damped(DampedString<f64>),
+}
+
+/// The string of a section across itself, and its axial stiffness.
+pub(super) fn string(section: &Section) -> Result<(Strings, f64), Mistake> {
     if let Some(parameter) = section.named_beside(&OF_STRING) {
         return Err(Mistake::Foreign { element: "string", parameter });
     }
@@ -202,16 +244,21 @@ fn string(section: &Section) -> Result<AnyMember<f64>, Mistake> {
     let tension = needed(section, Parameter::tension)?;
     let mass_per_length = needed(section, Parameter::mass_per_length)?;
     let foundation_stiffness = or_neutral(section, Parameter::foundation_stiffness);
-    Ok(match section.get(Parameter::external_damping) {
-        None => {
-            let across = PathString { length, tension, mass_per_length, foundation_stiffness };
-            InPlane { axial_stiffness, across }.into()
-        }
+    let string = match section.get(Parameter::external_damping) {
+        None => Strings::Undamped(PathString { length, tension, mass_per_length, foundation_stiffness }),
         Some(external_damping) => {
-            let across = DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping };
-            InPlane { axial_stiffness, across }.into()
+            Strings::Damped(DampedString { length, tension, mass_per_length, foundation_stiffness, external_damping })
         }
-    })
+    };
+    Ok((string, axial_stiffness))
+}
+
+/// A string that stretches.
+pub(super) fn stretching((string, axial_stiffness): (Strings, f64)) -> AnyMember<f64> {
+    match string {
+        Strings::Undamped(across) => InPlane { axial_stiffness, across }.into(),
+        Strings::Damped(across) => InPlane { axial_stiffness, across }.into(),
+    }
 }
 
 impl FrameElement<Line> for Section {
@@ -234,7 +281,11 @@ impl FrameElement<Plane> for TautString {
     type Kind = OfBeam;
 
     fn member(self) -> FrameMember {
-        FrameMember::of(string(&self.0))
+        let in_plane = |section: &Section| {
+            refuse_spatial(section, "string in the plane")?;
+            string(section).map(stretching)
+        };
+        FrameMember::of(in_plane(&self.0))
     }
 }
 

@@ -1,6 +1,5 @@
 //! The motion of points of paths: a displacement, or a rotation.
 
-use crate::element::MemberElement;
 use crate::frame::dimension::Dimension;
 use crate::frame::ends::Seat;
 use crate::frame::entries::Frame;
@@ -12,12 +11,12 @@ use std::vec::Vec;
 pub(crate) fn motions<D: Dimension>(frame: &Frame<D>) -> Vec<Option<Freedoms>> {
     let mut met = vec![Freedoms::NONE; frame.paths.len()];
     for entry in &frame.members {
-        let Ok(element) = entry.member.element else { continue };
+        let Ok(parts) = entry.member.parts else { continue };
         for end in &entry.ends {
             if let Seat::Path(handle) = end.seat
                 && let Some(path) = frame.own(handle, frame.paths.len())
             {
-                met[path] = met[path].union(element.freedoms());
+                met[path] = met[path].union(parts.motion().unwrap_or(Freedoms::SPACE));
             }
         }
     }

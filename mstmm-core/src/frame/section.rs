@@ -29,9 +29,9 @@ macro_rules! parameters {
 }
 
 parameters! {
-    /// Axial stiffness EA \[N\], positive: in the plane alone.
+    /// Axial stiffness EA \[N\], positive: in the plane and in space.
     axial_stiffness,
-    /// Bending stiffness EI [N m²], positive.
+    /// Bending stiffness EI [N m²], positive; in space about both axes.
     bending_stiffness,
     /// Mass per length m [kg/m], positive.
     mass_per_length,
@@ -53,6 +53,30 @@ parameters! {
     kelvin_voigt_time,
     /// Damping per length against displacements [N s/m²], zero or positive.
     external_damping,
+    /// Torsional stiffness GJ [N m²], positive: in space alone.
+    torsional_stiffness,
+    /// Polar inertia per length ρI_p [kg m], positive: in space alone.
+    polar_inertia_per_length,
+    /// Bending stiffness about y of a member in space.
+    bending_stiffness_y,
+    /// Bending stiffness about z of a member in space.
+    bending_stiffness_z,
+    /// Shear stiffness along y of a member in space.
+    shear_stiffness_y,
+    /// Shear stiffness along z of a member in space.
+    shear_stiffness_z,
+    /// Rotary inertia per length about y of a member in space.
+    rotary_inertia_y,
+    /// Rotary inertia per length about z of a member in space.
+    rotary_inertia_z,
+    /// Stiffness of the foundation per length along y of a member in space.
+    foundation_stiffness_y,
+    /// Stiffness of the foundation per length along z of a member in space.
+    foundation_stiffness_z,
+    /// Stiffness of the shear layer of the foundation along y of a member in space.
+    foundation_shear_stiffness_y,
+    /// Stiffness of the shear layer of the foundation along z of a member in space.
+    foundation_shear_stiffness_z,
 }
 
 /// The section of a beam, a bar or a string. What it names selects the beam: with bending stiffness and mass it is that of Euler and Bernoulli, with more it has
@@ -72,12 +96,25 @@ parameters! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Section {
     values: [Option<f64>; NAMES.len()],
+    up: Option<[f64; 3]>,
 }
 
 impl Section {
     /// A section that names nothing yet.
     pub const fn new() -> Self {
-        Section { values: [None; NAMES.len()] }
+        Section { values: [None; NAMES.len()], up: None }
+    }
+
+    /// The vector that is made normal to a member in space and is its z axis then; without it z of space. A vertical member whose planes are alike
+    /// has x of space instead.
+    #[must_use]
+    pub const fn up(self, up: [f64; 3]) -> Self {
+        Section { up: Some(up), ..self }
+    }
+
+    /// The vector that is made its z axis, if it is named.
+    pub(crate) fn z_axis(&self) -> Option<[f64; 3]> {
+        self.up
     }
 
     /// The section with a value for a parameter by name.
@@ -98,6 +135,16 @@ impl Section {
     pub(crate) fn named_beside(&self, parameters: &[Parameter]) -> Option<&'static str> {
         let is_known = |place: usize| parameters.iter().any(|parameter| *parameter as usize == place);
         (0..NAMES.len()).find(|place| self.values[*place].is_some() && !is_known(*place)).map(|place| NAMES[place])
+    }
+
+    /// A bit for each parameter that is named.
+    pub(crate) fn named(&self) -> u32 {
+        (0..NAMES.len()).filter(|place| self.values[*place].is_some()).fold(0, |named, place| named | 1 << place)
+    }
+
+    /// Names a parameter.
+    pub(crate) fn set(&mut self, parameter: Parameter, value: f64) {
+        self.values[parameter as usize] = Some(value);
     }
 
     /// The value of a parameter, if it is named.

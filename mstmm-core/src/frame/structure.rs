@@ -5,23 +5,26 @@ use crate::element::{
     VisitMember,
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
-use crate::frame::assembly::{Assembly, NetworkMember};
-use crate::frame::dimension::Dimension;
+use crate::frame::assembly::{Assembly, NetworkPart};
+use crate::frame::dimension::{Dimension, Flat};
 use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
+use crate::frame::holds::Hold;
+use crate::frame::in_space::called_in;
 use crate::frame::point::InFrame;
 use crate::model::{FrequencyEstimates, Handle, MemberLabel, MotionError, PlanePoint, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::{
-    self, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Motions, Network, NetworkError, Node,
-    Placed, PlacedCharts, PlacedMotions, PlacedTransfers, Placement, StiffnessModel, Vectors,
+    Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Motions, Network, NetworkError, Part, Placed,
+    PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, StiffnessModel, Vectors, flat,
 };
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
 use crate::structure::{Chart, StructureScalar};
 use crate::subspace::RootCounter;
 use core::marker::PhantomData;
+use core::ops::Range;
 use mstmm_plan::{Freedoms, NetworkOrder};
 use std::string::String;
 use std::vec::Vec;
@@ -32,13 +35,13 @@ pub struct Framework<D, E: MemberElement> {
     network: Network<E, Vectors>,
     number: u32,
     points: Vec<Tied>,
-    places: Vec<[f64; 2]>,
+    places: Vec<[f64; 3]>,
     /// The supports: a point, what is held, and the direction along which it moves.
-    supports: Vec<(usize, Freedoms, Option<[f64; 2]>)>,
+    supports: Vec<(usize, Freedoms, Option<[f64; 3]>)>,
     /// The node and the mass centre of each body.
-    bodies: Vec<(usize, [f64; 2])>,
-    /// The number of members of the frame. In the network, members of supports and of masses in a direction follow.
-    member_count: usize,
+    bodies: Vec<(usize, [f64; 3])>,
+    /// The first part of each member of the frame in the network, and behind the last one. Parts of supports and of masses in a direction follow.
+    first_parts: Vec<usize>,
     of: PhantomData<fn() -> D>,
 }
 
@@ -70,53 +73,63 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     /// Builds a frame with what a function makes of its members.
     fn built(frame: &Frame<D>, element: impl Fn(AnyMember<f64>) -> Result<E, Mistake>) -> Result<Self, BuildErrors> {
         let mut assembly = Assembly::of(frame);
-        let (mut members, mut named) = (Vec::new(), Vec::new());
-        for index in 0..assembly.members.len() {
-            let NetworkMember { ends, element: any } = assembly.members[index];
-            let name = assembly.called[index].clone();
+        let (mut parts, mut named) = (Vec::new(), Vec::new());
+        for index in 0..assembly.parts.len() {
+            let NetworkPart { ends, plane, element: any } = assembly.parts[index];
+            let called = assembly.called[index].clone();
             match element(any) {
                 Ok(element) => {
-                    members.push(network::Member { ends, element });
-                    named.push(name);
+                    parts.push(Part { ends, plane, element });
+                    named.push(called);
                 }
-                Err(mistake) => assembly.fail(name, mistake),
+                Err(mistake) => assembly.fail(called.0, mistake),
             }
         }
-        let Assembly { nodes, names, is_of_path, points, bodies, mut errors, .. } = assembly;
+        let Assembly { nodes, names, is_of_path, points, bodies, mut errors, first_parts, .. } = assembly;
         let (mut of_nodes, mut of_whole) = (Vec::new(), Vec::new());
         let network = Network::with_paths(
             &nodes,
-            &members,
+            (parts.len(), |index| parts[index]),
             |node| is_of_path[node],
             |error| {
+                let mut mistake = Mistake::of(error);
                 let (list, part) = match error {
                     NetworkError::Parameter { member, .. }
                     | NetworkError::SamePlace { member, .. }
                     | NetworkError::TwoPlaces { member, .. }
                     | NetworkError::Direction { member }
-                    | NetworkError::NoSuchNode { member, .. } => (&mut errors, named[member].clone()),
+                    | NetworkError::NoSuchNode { member, .. } => {
+                        let (name, part, parameters) = &named[member];
+                        if let Mistake::Parameter(error) = &mut mistake {
+                            error.parameter = called_in(*parameters, *part, error.parameter);
+                        }
+                        (&mut errors, name.clone())
+                    }
                     NetworkError::InvalidNode { node, .. } => (&mut of_nodes, names[node].clone()),
                     NetworkError::Apart { node } => (&mut of_whole, names[node].clone()),
                     _ => (&mut of_whole, String::from("the frame")),
                 };
-                list.push(BuildError { part, mistake: Mistake::of(error) });
+                list.push(BuildError { part, mistake });
             },
         );
+        // what is wrong with each part of a member is said once
+        errors.dedup();
         errors.append(&mut of_nodes);
         // what hangs together is known where all parts are right
         if errors.is_empty() {
             errors = of_whole;
         }
         let network = network.filter(|_| errors.is_empty()).ok_or(BuildErrors(errors))?;
-        let places = frame.points.iter().map(|point| D::in_plane(point.place)).collect();
+        let places = frame.points.iter().map(|point| D::in_space(point.place)).collect();
         let holds = frame
             .points
             .iter()
             .enumerate()
             .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
-        let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.along)).collect();
-        let (number, member_count) = (frame.number, frame.members.len());
-        Ok(Framework { network, number, points, places, supports, bodies, member_count, of: PhantomData })
+        let direction = |hold: &Hold<D>| hold.skew.map(|skew| *skew.direction());
+        let supports = holds.map(|(point, hold)| (point, hold.freedoms, direction(hold))).collect();
+        let number = frame.number;
+        Ok(Framework { network, number, points, places, supports, bodies, first_parts, of: PhantomData })
     }
 }
 
@@ -132,6 +145,10 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> System for Framework<D, E>
 
     fn name_parts(&self, visitor: &mut dyn Visitor) {
         self.network.name_parts(visitor);
+    }
+
+    fn is_flat(&self) -> bool {
+        self.network.is_flat()
     }
 
     fn spot_of(&self, place: usize) -> Spot {
@@ -151,7 +168,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
     type Model = InFrame;
     type Memory = Vectors;
 
-    fn node(&self, node: usize) -> (&Node<f64>, &Motions<f64>) {
+    fn node(&self, node: usize) -> (&PlacedNode<f64>, &Motions<f64>) {
         self.network.node(node)
     }
 
@@ -163,7 +180,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
         self.network.numbers()
     }
 
-    fn place(&self, place: usize) -> [f64; 2] {
+    fn place(&self, place: usize) -> [f64; 3] {
         self.places[place]
     }
 
@@ -173,8 +190,11 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
     }
 
     fn member_of(&self, member: Handle) -> Result<usize, MotionError> {
-        let index = self.own(member)?;
-        if index < self.member_count { Ok(index) } else { Err(MotionError::NoSuchPoint { index }) }
+        self.parts(member).map(|parts| parts.start)
+    }
+
+    fn parts_of(&self, member: Handle) -> Result<Range<usize>, MotionError> {
+        self.parts(member)
     }
 
     fn spot(&self, node: usize) -> Spot {
@@ -200,7 +220,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     ///
     /// # Errors
     /// [`MotionError::OtherFrame`] for a body of another frame, [`MotionError::NoSuchPoint`] for one that was added later.
-    pub(crate) fn body(&self, body: Body) -> Result<(usize, [f64; 2]), MotionError> {
+    pub(crate) fn body(&self, body: Body) -> Result<(usize, [f64; 3]), MotionError> {
         let index = self.own(body.handle)?;
         self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
     }
@@ -223,6 +243,15 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
 }
 
 impl<D, E: MemberElement> Framework<D, E> {
+    /// The parts of a member in the network.
+    fn parts(&self, member: Handle) -> Result<Range<usize>, MotionError> {
+        let index = self.own(member)?;
+        match self.first_parts[index.min(self.first_parts.len())..] {
+            [first, end, ..] => Ok(first..end),
+            _ => Err(MotionError::NoSuchPoint { index }),
+        }
+    }
+
     /// The index of what a handle of its frame means.
     fn own(&self, Handle { index, frame }: Handle) -> Result<usize, MotionError> {
         if frame == self.number { Ok(index) } else { Err(MotionError::OtherFrame { index }) }
@@ -273,11 +302,11 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Undamped for Framework<D, 
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Spectrum for Framework<D, E> where Self: ComplexPasses {}
 
-impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> {
+impl<D: Flat, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> {
     fn points(&self) -> impl Iterator<Item = DrawnPoint<InFrame, f64>> {
         self.points.iter().enumerate().map(|(index, point)| DrawnPoint {
             name: Spot::Point(index),
-            position: self.places[index],
+            position: flat(self.places[index]),
             node: point.node,
             freedoms: point.freedoms,
             label: PlanePoint::handle(Handle::in_frame(index, self.number)),
@@ -285,7 +314,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> 
     }
 
     fn members(&self) -> impl Iterator<Item = DrawnMember<InFrame, f64>> {
-        self.network.kinds().iter().enumerate().take(self.member_count).map(|(index, kind)| {
+        self.network.kinds().iter().enumerate().take(self.first_parts.len() - 1).map(|(index, kind)| {
             let label = MemberLabel::of(Handle::in_frame(index, self.number));
             let placement = self.placement(index);
             let point = |end: usize| {
@@ -303,8 +332,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> 
         nodes.filter(|(_, (node, _))| node.has_body()).map(|(index, (node, motions))| DrawnBody {
             name: self.spot(index),
             mass: node.mass,
-            inertia: node.inertia,
-            centre: (!motions.is_of_path).then_some(node.centre),
+            inertia: node.about_z(),
+            centre: (!motions.is_of_path).then_some(flat(node.centre)),
             node: index,
         })
     }
@@ -313,9 +342,9 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> 
         self.supports.iter().map(|(point, held, along)| DrawnSupport {
             name: Spot::Point(*point),
             point: *point,
-            position: self.places[*point],
+            position: flat(self.places[*point]),
             held: *held,
-            along: *along,
+            along: along.map(flat),
         })
     }
 }

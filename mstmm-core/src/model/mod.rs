@@ -8,6 +8,7 @@ pub(crate) mod estimates;
 pub(crate) mod extent;
 pub(crate) mod label;
 pub(crate) mod load_error;
+pub(crate) mod member_plane;
 pub(crate) mod motion_error;
 pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
@@ -23,6 +24,7 @@ pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use extent::Extent;
 pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
 pub(crate) use load_error::LoadError;
+pub(crate) use member_plane::{MemberPlane, Skew, Tensor, across};
 pub(crate) use motion_error::MotionError;
 pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,

@@ -117,15 +117,15 @@ pub(crate) enum Quantity {
     Displacement(Site, usize),
     /// A force of the support of a point along x or y, or its moment.
     Reaction(Site, usize),
-    /// An internal force at the end of a member: axial, shear, moment.
+    /// An internal force at the end of a member: axial, shear, moment; in space these of its first, its second and its third part.
     Internal { member: Handle, end: usize, force: usize },
 }
 
 impl Tied {
     /// A node of a list, which brings all freedoms and may be held in each.
     pub(crate) const fn node(node: usize) -> Self {
-        let hold = Hold { node, freedoms: Freedoms::ALL };
-        Tied { node, place: None, freedoms: Freedoms::ALL, hold: Some(hold) }
+        let hold = Hold { node, freedoms: Freedoms::PLANE };
+        Tied { node, place: None, freedoms: Freedoms::PLANE, hold: Some(hold) }
     }
 }
 
@@ -213,6 +213,44 @@ macro_rules! in_global_axes {
         }
     };
 }
+
+/// The freedoms of points in space beyond those of the plane, by their places among all.
+#[cfg(feature = "std")]
+impl<M> PlanePoint<M> {
+    /// A displacement or a rotation.
+    pub(crate) const fn displaced(self, place: usize) -> PlaneEntry<M> {
+        PlaneEntry { quantity: Quantity::Displacement(self.site, place), of: PhantomData }
+    }
+
+    /// A force or a moment on it.
+    pub(crate) const fn forced(self, place: usize) -> PlaneLoad<M> {
+        PlaneLoad::new(PlaneActing::Force(self.site, place))
+    }
+
+    /// A force or a moment of its support.
+    pub(crate) const fn held(self, place: usize) -> PlaneEntry<M> {
+        self.reaction(place)
+    }
+
+    /// A motion of its support.
+    pub(crate) const fn shaken(self, place: usize) -> PlaneLoad<M> {
+        self.motion(place)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<M> MemberEnd<M> {
+    /// The end as a point.
+    pub(crate) const fn as_point(self) -> PlanePoint<M> {
+        self.point()
+    }
+
+    /// An internal force of a part of a member in space: axial, shear, moment.
+    pub(crate) const fn internal_in(self, part: usize, force: usize) -> PlaneEntry<M> {
+        self.internal(3 * part + force)
+    }
+}
+
 in_global_axes!(PlanePoint, self => self.site);
 in_global_axes!(MemberEnd, self => self.point().site);
 
@@ -274,6 +312,12 @@ impl<M> PlaneLoad<M> {
     /// and point mass in its mass centre.
     pub const fn self_weight_x() -> Self {
         PlaneLoad::weight(0)
+    }
+
+    /// The weight of the whole model under an acceleration of 1 m/s² along z, as [`self_weight_x`](PlaneLoad::self_weight_x): in space.
+    #[cfg(feature = "std")]
+    pub const fn self_weight_z() -> Self {
+        PlaneLoad::weight(3)
     }
 
     /// The weight of the whole model under an acceleration of 1 m/s² along y, as [`self_weight_x`](PlaneLoad::self_weight_x); on the earth,

@@ -50,6 +50,12 @@ pub trait System {
         visitor.element(0, 0, Space::NONE, &MemberNumbers::Other);
     }
 
+    /// Whether all that it names moves in one plane.
+    #[doc(hidden)]
+    fn is_flat(&self) -> bool {
+        true
+    }
+
     /// What a node or a step of it is called: `beam 1`, `conn 2`, `fixed`; of a list its index.
     #[doc(hidden)]
     fn spot_of(&self, place: usize) -> Spot {

@@ -185,6 +185,18 @@ apart! {
         add(joining, &entries, &rows, sizes);
     }
 
+    /// Adds the inertia of a body over the rows of its three rotations, given the lower triangle of its tensor.
+    pub(crate) fn add_tensor<N: Level>(joining: &mut Joining<'_, N>, tensor: [Ball<N::Alone>; 6], rows: [Terms<'_, N>; 3]) {
+        let mut entries = [Ball::of(0.0); 6];
+        for (entry, part) in entries.iter_mut().zip(tensor) {
+            if !is_zero(&part) {
+                *entry = -(Ball::everywhere(part) * joining.square);
+            }
+        }
+        let sizes = [0, 2, 5].map(|diagonal| entries[diagonal].mid.size().first());
+        add(joining, &entries, &rows, sizes);
+    }
+
     /// Adds the force of a rigid joint over the displacements that are equal, given about its flexibility, and takes off its negative pivot.
     pub(crate) fn add_force<N: Level>(
         joining: &mut Joining<'_, N>,

@@ -1,27 +1,37 @@
-//! A frame member by member: a node has up to three variables, from the first member that knows it until it leaves.
+//! A frame member by member: a node has up to six variables, from the first member that knows it until it leaves.
 
 use crate::element::{Exact, MemberNumbers, OwnPart};
+use crate::model::{MemberPlane, Skew};
+use crate::proof::axes::{Axes, difference_of, direction, directions};
 use crate::proof::ball::Ball;
 use crate::proof::join::{Failure, Join};
-use crate::proof::row::{Row, TERMS, difference, direction};
+use crate::proof::row::Row;
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
 
 /// Most nodes that are in the front at once.
 const MOST_NODES: usize = 64;
 
+/// Most variables of a node of a structure in the plane, and twice as many.
+pub(crate) const IN_PLANE: usize = Freedoms::SINGLE.len();
+pub(crate) const TWICE_IN_PLANE: usize = 2 * IN_PLANE;
+
+/// Most variables of a node of a structure in space, and twice as many.
+pub(crate) const IN_SPACE: usize = Freedoms::EACH.len();
+pub(crate) const TWICE_IN_SPACE: usize = 2 * IN_SPACE;
+
 /// A node whose variables are in the front.
 #[derive(Clone, Copy, Debug)]
-struct Present {
+struct Present<const M: usize> {
     index: usize,
-    /// The variables of its displacements along x, or along its direction, and y, and of its rotation.
-    variables: [Option<usize>; 3],
+    /// The variables of its displacements and rotations; of one that moves along directions the first are these.
+    variables: [Option<usize>; M],
 }
 
-/// The nodes that are in the front.
+/// The nodes that are in the front, each with up to `M` variables. A row of two nodes has `TWO` terms.
 #[derive(Debug)]
-pub(crate) struct Nodes {
-    present: [Present; MOST_NODES],
+pub(crate) struct Nodes<const M: usize, const TWO: usize> {
+    present: [Present<M>; MOST_NODES],
     count: usize,
     /// Forces of rigid joints, each with the node behind which it leaves.
     ties: [(usize, usize); MOST_NODES],
@@ -31,93 +41,112 @@ pub(crate) struct Nodes {
 /// Displacements along and across a member and rotations of its ends: how many there are.
 const LOCAL: usize = 3;
 
-/// A displacement of an end: at most three variables of its node.
-type EndRow<A> = Row<A, 3>;
+/// The displacements and the rotations of a place, along and about x, y and z.
+struct Motion<R> {
+    displacements: [R; 3],
+    rotations: [R; 3],
+}
 
-/// Cosine and sine of a direction.
-type Axis<A> = [Ball<A>; 2];
+/// The places of the rotations about x, y and z among the variables of a node.
+const ROTATIONS: [usize; 3] = [4, 5, 2];
 
-impl Nodes {
+impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
     /// No node.
     pub(crate) fn new() -> Self {
-        let nobody = Present { index: 0, variables: [None; 3] };
+        let nobody = Present { index: 0, variables: [None; M] };
         Nodes { present: [nobody; MOST_NODES], count: 0, ties: [(0, 0); MOST_NODES], tie_count: 0 }
     }
 
     /// The variables of a node, which enter with the first part that knows it.
-    fn variables<J: Join>(&mut self, node: &NodeNumbers, joining: &mut J) -> [Option<usize>; 3] {
+    fn variables<J: Join>(&mut self, node: &NodeNumbers, joining: &mut J) -> [Option<usize>; M] {
         if let Some(present) = self.present[..self.count].iter().find(|present| present.index == node.index) {
             return present.variables;
         }
         if self.count == MOST_NODES {
             joining.fail(Failure::Full);
-            return [None; 3];
+            return [None; M];
         }
-        let mut enter = |is_there: bool| is_there.then(|| joining.enter());
-        let variables = match node.along {
-            Some(_) => [enter(true), None, enter(node.free.contains(Freedoms::RZ))],
-            None => Freedoms::SINGLE.map(|freedom| enter(node.free.contains(freedom))),
+        let mut variables = [None; M];
+        let of_skew = match node.skew {
+            None => 0,
+            Some(Skew::Along(_)) => 1,
+            Some(Skew::Normal(_)) => 2,
         };
+        for (place, (variable, freedom)) in variables.iter_mut().zip(Freedoms::EACH).enumerate() {
+            if place < of_skew || node.free.contains(freedom) {
+                *variable = Some(joining.enter());
+            }
+        }
         // a node that does not move is eliminated by nobody
-        if variables != [None; 3] {
+        if variables != [None; M] {
             self.present[self.count] = Present { index: node.index, variables };
             self.count += 1;
         }
         variables
     }
 
-    /// Displacements x and y and rotation of a place that is tied to a node.
+    /// The displacements and rotations of a place that is tied to a node.
     #[inline(never)]
-    fn motion<J: Join>(&mut self, node: &NodeNumbers, place: [Exact; 2], joining: &mut J) -> [EndRow<J::Alone>; 3] {
-        let [first, second, third] = self.variables(node, joining).map(|variable| variable.map(Row::<J::Alone, 1>::of));
-        let mut rows = [Row::none(); 3];
-        match node.along {
-            Some(along) => {
-                for (row, part) in rows.iter_mut().zip(along) {
-                    first.iter().for_each(|own| row.add(own, Ball::of_pair(part)));
+    fn motion<J: Join>(&mut self, node: &NodeNumbers, place: [Exact; 3], joining: &mut J) -> Motion<Row<J::Alone, M>> {
+        let variables = self.variables(node, joining).map(|variable| variable.map(Row::<J::Alone, 1>::of));
+        let own = |place: usize| variables.get(place).and_then(Option::as_ref);
+        let mut displacements = [Row::none(); 3];
+        match node.skew {
+            Some(skew) => {
+                for (place, vector) in directions(skew).into_iter().enumerate() {
+                    for (row, part) in displacements.iter_mut().zip(vector) {
+                        own(place).into_iter().for_each(|own| row.add(own, part));
+                    }
                 }
             }
             None => {
-                for (row, own) in rows.iter_mut().zip([first, second]) {
-                    own.iter().for_each(|own| row.add(own, Ball::of(1.0)));
+                for (row, place) in displacements.iter_mut().zip([0, 1, 3]) {
+                    own(place).into_iter().for_each(|own| row.add(own, Ball::of(1.0)));
                 }
             }
         }
-        if let Some(rotation) = third {
-            let [x, y] = [0, 1].map(|k| difference(node.place[k], place[k]));
-            rows[0].add(&rotation, -y);
-            rows[1].add(&rotation, x);
-            rows[2].add(&rotation, Ball::of(1.0));
+        let mut rotations = [Row::none(); 3];
+        let offset = difference_of(node.place, place);
+        for (axis, row) in rotations.iter_mut().enumerate() {
+            let Some(rotation) = own(ROTATIONS[axis]) else { continue };
+            row.add(rotation, Ball::of(1.0));
+            // about x a place moves along y by -z, and along z by y
+            let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+            displacements[next].add(rotation, -offset[last]);
+            displacements[last].add(rotation, offset[next]);
         }
-        rows
+        Motion { displacements, rotations }
     }
 
-    /// Displacements along and across a member, given its axis, and rotation at one of its ends. An end may have an axis of its own. What it does
-    /// not share with its node is a variable of its
-    /// own, which leaves when the member has joined.
+    /// Displacements along and across a member and the rotation at one of its ends, as far as they are wanted. What an end does not share with
+    /// its node is a variable of its own, which leaves when the member has joined.
     #[inline(never)]
     fn local<J: Join>(
         &mut self,
         end: &MemberEnd,
-        axis: Axis<J::Alone>,
+        axes: &Axes<J::Alone>,
         wanted: Freedoms,
         own: &mut Released,
         joining: &mut J,
-    ) -> [EndRow<J::Alone>; LOCAL] {
-        let [x, y, rotation] = self.motion(&end.node, end.place, joining);
-        let turned = end.along.filter(|_| !wanted.is(Freedoms::RZ));
-        let [c, s] = turned.map_or(axis, |along| direction(along.map(Ball::of_pair)).0);
-        let mut rows = [Row::none(), Row::none(), rotation];
-        rows[0].add(&x, c);
-        rows[0].add(&y, s);
-        rows[1].add(&x, -s);
-        rows[1].add(&y, c);
-        for (row, freedom) in rows.iter_mut().zip(Freedoms::SINGLE) {
-            if end.released.contains(freedom) && wanted.contains(freedom) {
+    ) -> [Row<J::Alone, M>; LOCAL] {
+        let motion = self.motion(&end.node, end.place, joining);
+        let mut rows = [Row::none(); LOCAL];
+        let of_axes = [
+            (&axes.along, &motion.displacements),
+            (&axes.across, &motion.displacements),
+            (&axes.normal, &motion.rotations),
+        ];
+        for ((row, freedom), (axis, parts)) in rows.iter_mut().zip(Freedoms::SINGLE).zip(of_axes) {
+            if !wanted.contains(freedom) {
+                continue;
+            }
+            if end.released.contains(freedom) {
                 let variable = joining.enter();
                 own.list[own.count] = variable;
                 own.count += 1;
                 *row = Row::of(variable);
+            } else {
+                parts.iter().zip(axis).for_each(|(part, factor)| row.add(part, *factor));
             }
         }
         rows
@@ -127,22 +156,25 @@ impl Nodes {
     #[inline(never)]
     pub(crate) fn member<J: Join>(
         &mut self,
-        (numbers, own_part, freedoms): (&MemberNumbers, Option<OwnPart>, Freedoms),
+        (numbers, own_part): (&MemberNumbers, Option<OwnPart>),
+        (freedoms, plane): (Freedoms, MemberPlane<Exact>),
         ends: &[MemberEnd; 2],
         next: usize,
         joining: &mut J,
     ) {
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = if own_part.is_some() { freedoms } else { freedoms_of(numbers) };
-        let has_axis = !wanted.is(Freedoms::RZ) && ends.iter().any(|end| end.along.is_none());
-        let (axis, length) = if has_axis {
-            let [from, to] = [ends[0].place, ends[1].place];
-            direction([difference::<J::Alone>(from[0], to[0]), difference(from[1], to[1])])
-        } else {
-            ([Ball::of(1.0), Ball::of(0.0)], Ball::of(0.0))
-        };
-        let first = self.local(&ends[0], axis, wanted, &mut own, joining);
-        let second = self.local(&ends[1], axis, wanted, &mut own, joining);
+        let turns_in_plane = wanted.is(Freedoms::RZ) && plane == MemberPlane::Structure;
+        let (mut axes, mut length) = (Axes::of_structure(), Ball::of(0.0));
+        if !turns_in_plane && ends.iter().any(|end| end.along.is_none()) {
+            let (along, size) = direction(difference_of(ends[0].place, ends[1].place));
+            (axes, length) = (Axes::new(&plane, along), size);
+        }
+        let [first, second] = [0, 1].map(|end| {
+            let turned = ends[end].along.filter(|_| !turns_in_plane);
+            let own_axes = turned.map(|along| Axes::new(&plane, direction(along.map(Ball::of_pair)).0));
+            self.local(&ends[end], own_axes.as_ref().unwrap_or(&axes), wanted, &mut own, joining)
+        });
         let (numbers, damping) = numbers.parted();
         match &numbers {
             MemberNumbers::Other if own_part.is_some() => {
@@ -166,20 +198,24 @@ impl Nodes {
                     joining.add_line((line, &damping), length, ends);
                 }
             }
+            MemberNumbers::LineBetween(freedom, line) => {
+                let ends = [first[*freedom].terms(), second[*freedom].terms()];
+                joining.add_line((line, &damping), length, ends);
+            }
             MemberNumbers::Line(freedom, line) => {
                 let ends = [first[*freedom].terms(), second[*freedom].terms()];
                 joining.add_line((line, &damping), Ball::of_pair(line.length), ends);
             }
             MemberNumbers::Spring(freedom, stiffness) => {
-                joining.add_spring((stiffness, &damping), [&first[*freedom], &second[*freedom]]);
+                joining.add_spring::<M, TWO>((stiffness, &damping), [&first[*freedom], &second[*freedom]]);
             }
             MemberNumbers::Joint(rigid, elastic) => {
                 for (index, (freedom, stiffness)) in Freedoms::SINGLE.into_iter().zip(elastic).enumerate() {
                     if *stiffness != [0.0; 2] {
-                        joining.add_spring((stiffness, &damping), [&first[index], &second[index]]);
+                        joining.add_spring::<M, TWO>((stiffness, &damping), [&first[index], &second[index]]);
                     }
                     if rigid.contains(freedom) {
-                        let gap = gap::<J>([&first[index], &second[index]], Ball::of(1.0));
+                        let gap = gap::<J, M, TWO>([&first[index], &second[index]], Ball::of(1.0));
                         self.tie(gap, last_of(ends, next), joining);
                     }
                 }
@@ -190,13 +226,13 @@ impl Nodes {
     }
 
     /// An element that is known by its stiffness at this frequency alone, over the displacements of its ends.
-    fn own<J: Join>(&mut self, part: Option<OwnPart>, rows: [&EndRow<J::Alone>; 2], last: usize, joining: &mut J) {
+    fn own<J: Join>(&mut self, part: Option<OwnPart>, rows: [&Row<J::Alone, M>; 2], last: usize, joining: &mut J) {
         match part {
             Some(OwnPart::Stiffness { stiffness, held }) => {
                 joining.add_counted(stiffness, held, rows.map(|row| row.terms()));
             }
             Some(OwnPart::Tie { ratio, stiffness }) => {
-                self.tie(gap::<J>(rows, Ball::of_pair(ratio)), last, joining);
+                self.tie(gap::<J, M, TWO>(rows, Ball::of_pair(ratio)), last, joining);
                 joining.add_term(Ball::of_pair(stiffness), rows[0].terms());
             }
             None => {}
@@ -205,7 +241,7 @@ impl Nodes {
 
     /// A rigid joint: its force is a variable, which leaves with the last of its nodes.
     #[inline(never)]
-    fn tie<J: Join>(&mut self, gap: Row<J::Alone, TERMS>, last: usize, joining: &mut J) {
+    fn tie<J: Join>(&mut self, gap: Row<J::Alone, TWO>, last: usize, joining: &mut J) {
         let force = joining.add_tie(gap.terms());
         if self.tie_count == MOST_NODES {
             joining.fail(Failure::Full);
@@ -219,14 +255,22 @@ impl Nodes {
     pub(crate) fn body<J: Join>(
         &mut self,
         node: &NodeNumbers,
-        [mass, inertia]: [Exact; 2],
-        centre: [Exact; 2],
+        (mass, inertia): (Exact, &[Exact; 6]),
+        centre: [Exact; 3],
         joining: &mut J,
     ) {
-        let [x, y, rotation] = self.motion(node, centre, joining);
-        for (parameter, row) in [(mass, &x), (mass, &y), (inertia, &rotation)] {
-            joining.add_mass(parameter, row.terms());
+        let Motion { displacements, rotations } = self.motion(node, centre, joining);
+        displacements.iter().for_each(|row| joining.add_mass(mass, row.terms()));
+        let [xx, yy, zz, products @ ..] = inertia;
+        if products.iter().all(|product| *product == [0.0; 2]) {
+            for (moment, row) in [xx, yy, zz].into_iter().zip(&rotations) {
+                joining.add_mass(*moment, row.terms());
+            }
+            return;
         }
+        let [xy, yz, zx] = products;
+        let entries = [xx, xy, yy, zx, yz, zz].map(|entry| Ball::of_pair(*entry));
+        joining.add_tensor(entries, rotations.each_ref().map(|row| row.terms()));
     }
 
     /// The variables of a node leave, and what waits behind them.
@@ -256,8 +300,11 @@ impl Nodes {
 }
 
 /// What a displacement is more than another one times a ratio.
-fn gap<J: Join>(rows: [&EndRow<J::Alone>; 2], ratio: Ball<J::Alone>) -> Row<J::Alone, TERMS> {
-    let mut gap = rows[1].widened::<{ TERMS }>();
+fn gap<J: Join, const M: usize, const TWO: usize>(
+    rows: [&Row<J::Alone, M>; 2],
+    ratio: Ball<J::Alone>,
+) -> Row<J::Alone, TWO> {
+    let mut gap = rows[1].widened::<TWO>();
     gap.add(rows[0], -ratio);
     gap
 }
@@ -270,7 +317,7 @@ struct Released {
 
 /// The node of a member that leaves last, given the one that leaves next; a node without displacements is not eliminated.
 fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
-    let moves = |node: &NodeNumbers| node.along.is_some() || !node.free.is_empty();
+    let moves = |node: &NodeNumbers| node.skew.is_some() || !node.free.is_empty();
     let other = ends.iter().map(|end| &end.node).find(|node| node.index != next && moves(node));
     other.map_or(next, |node| node.index)
 }
@@ -280,13 +327,15 @@ fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
     match &numbers.parted().0 {
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Tapered(_) => Freedoms::Y.union(Freedoms::RZ),
-        MemberNumbers::Beam(_) => Freedoms::ALL,
+        MemberNumbers::Beam(_) => Freedoms::PLANE,
         MemberNumbers::String(_) => Freedoms::X.union(Freedoms::Y),
-        MemberNumbers::Line(freedom, _) | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
+        MemberNumbers::Line(freedom, _)
+        | MemberNumbers::LineBetween(freedom, _)
+        | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
         MemberNumbers::Joint(rigid, elastic) => {
             let elastic = Freedoms::SINGLE.into_iter().zip(elastic).filter(|(_, stiffness)| **stiffness != [0.0; 2]);
             elastic.fold(*rigid, |sum, (freedom, _)| sum.union(freedom))
         }
-        _ => Freedoms::ALL,
+        _ => Freedoms::PLANE,
     }
 }

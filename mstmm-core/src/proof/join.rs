@@ -3,7 +3,7 @@
 use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::level::Level;
-use crate::proof::row::{Row, TERMS, Term};
+use crate::proof::row::{Row, Term};
 
 /// What parts join.
 pub(crate) trait Join: Sized {
@@ -35,6 +35,8 @@ pub(crate) trait Join: Sized {
     /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
     /// about the point.
     fn add_inertia(&mut self, inertia: [Ball<Self::Alone>; 3], rows: [&[Term<Self::Alone>]; 2]);
+    /// Adds the inertia of a body over the rows of its three rotations, given the lower triangle of its tensor.
+    fn add_tensor(&mut self, tensor: [Ball<Self::Alone>; 6], rows: [&[Term<Self::Alone>]; 3]);
     /// Adds a line over the rows of its ends.
     fn add_line(
         &mut self,
@@ -58,12 +60,12 @@ pub(crate) trait Join: Sized {
 
     /// Adds a spring, or another stiffness, between two rows.
     #[inline(never)]
-    fn add_spring<const T: usize>(
+    fn add_spring<const T: usize, const TWO: usize>(
         &mut self,
         spring: (&Exact, &DampingNumbers),
         [first, second]: [&Row<Self::Alone, T>; 2],
     ) {
-        let mut elongation = second.widened::<{ TERMS }>();
+        let mut elongation = second.widened::<TWO>();
         elongation.add(first, Ball::of(-1.0));
         self.add_damped_term(spring, elongation.terms());
     }

@@ -2,7 +2,8 @@
 
 use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, TaperedNumbers};
 use crate::proof::adding::{
-    add_bent, add_counted, add_force, add_inertia, add_line, add_mass, add_member, add_plain_bending, add_term, general,
+    add_bent, add_counted, add_force, add_inertia, add_line, add_mass, add_member, add_plain_bending, add_tensor,
+    add_term, general,
 };
 use crate::proof::ball::Ball;
 use crate::proof::front::substitute;
@@ -94,6 +95,10 @@ impl<N: Level> Join for Joining<'_, N> {
     #[inline(always)]
     fn add_inertia(&mut self, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
         add_inertia(self, inertia, rows);
+    }
+
+    fn add_tensor(&mut self, tensor: [Ball<N::Alone>; 6], rows: [Terms<'_, N>; 3]) {
+        add_tensor(self, tensor, rows);
     }
 
     #[inline(always)]

@@ -50,6 +50,7 @@
 //! | [`row`], [`joining`], [`joined`], [`adding`] | T5: displacements over variables; T3 and T6: parts join the front |
 //! | [`constraint`] | T5: what has to be zero makes a variable a combination of others; what does not go on leaves |
 //! | [`join`], [`run`] | what parts join: the front, or the matrix of a disc; a visit that joins them |
+//! | [`axes`] | axes of members, directions of nodes |
 //! | [`tree`], [`frame`] | which rows the parts of a tree and of a frame have, and when variables leave |
 //! | [`visit`] | how a model names its parts: all that a proof knows of it |
 //! | [`count`], [`memory`] | a run; memory for its front, and lanes |
@@ -59,6 +60,7 @@
 //! | [`disc`] | T8: simple eigenvalues of damped systems |
 
 pub(crate) mod adding;
+mod axes;
 pub(crate) mod ball;
 pub(crate) mod bending;
 pub(crate) mod beside;

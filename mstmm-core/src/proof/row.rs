@@ -149,22 +149,6 @@ pub(crate) fn difference<N: Level>(from: Exact, to: Exact) -> Ball<N> {
     to - from
 }
 
-/// A direction as cosine and sine, from a vector of any length, and that length. Along an axis all are exact.
-#[inline(always)]
-pub(crate) fn direction<N: Level>([x, y]: [Ball<N>; 2]) -> ([Ball<N>; 2], Ball<N>) {
-    let sign = |part: Ball<N>| if part.mid.leading().first() < 0.0 { Ball::of(-1.0) } else { Ball::of(1.0) };
-    let size = |part: Ball<N>| if part.mid.leading().first() < 0.0 { -part } else { part };
-    if is_zero(&y) {
-        return ([sign(x), Ball::of(0.0)], size(x));
-    }
-    if is_zero(&x) {
-        return ([Ball::of(0.0), sign(y)], size(y));
-    }
-    let length = (x * x + y * y).root();
-    let inverse = length.inverse();
-    ([x * inverse, y * inverse], length)
-}
-
 #[cfg(test)]
 impl<N: Number> Term<N> {
     /// A variable with a coefficient.

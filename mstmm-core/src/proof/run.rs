@@ -1,20 +1,25 @@
 //! A visit of a model whose parts join something.
 
 use crate::element::{Exact, MemberNumbers, OwnPart};
-use crate::proof::frame::Nodes;
+use crate::model::MemberPlane;
+use crate::proof::frame::{IN_PLANE, Nodes, TWICE_IN_PLANE};
+#[cfg(feature = "std")]
+use crate::proof::frame::{IN_SPACE, TWICE_IN_SPACE};
+#[cfg(not(feature = "std"))]
+use crate::proof::join::Failure;
 use crate::proof::join::Join;
 use crate::proof::tree::{Path, Paths};
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visited, Visitor};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// A run in progress.
-struct Run<'m, J: Join> {
+struct Run<'m, J: Join, const M: usize, const TWO: usize> {
     model: &'m dyn Visited,
     /// The frequency, as the sum of two words, at which elements that are not known in numbers may be known; none where they are not.
     known_at: Option<[f64; 2]>,
     joining: J,
     paths: Paths<'m, J::Alone>,
-    nodes: Nodes,
+    nodes: Nodes<M, TWO>,
 }
 
 /// Joins all parts of a model, in memory for its open paths.
@@ -25,12 +30,36 @@ pub(crate) fn join_all<'m, J: Join>(
     joining: J,
     paths: &'m mut [Path<J::Alone>],
 ) -> J {
-    let mut run = Run { model, known_at, joining, paths: Paths::new(paths), nodes: Nodes::new() };
+    let paths = Paths::new(paths);
+    if model.is_flat() {
+        let mut run = Run { model, known_at, joining, paths, nodes: Nodes::<IN_PLANE, TWICE_IN_PLANE>::new() };
+        model.visit(&mut run);
+        return run.joining;
+    }
+    join_in_space(model, known_at, joining, paths)
+}
+
+/// Joins all parts of a model in space.
+#[cfg(feature = "std")]
+fn join_in_space<'m, J: Join>(
+    model: &'m dyn Visited,
+    known_at: Option<[f64; 2]>,
+    joining: J,
+    paths: Paths<'m, J::Alone>,
+) -> J {
+    let mut run = Run { model, known_at, joining, paths, nodes: Nodes::<IN_SPACE, TWICE_IN_SPACE>::new() };
     model.visit(&mut run);
     run.joining
 }
 
-impl<J: Join> Run<'_, J> {
+/// Without `std` there is no model in space.
+#[cfg(not(feature = "std"))]
+fn join_in_space<'m, J: Join>(_: &'m dyn Visited, _: Option<[f64; 2]>, mut joining: J, _: Paths<'m, J::Alone>) -> J {
+    joining.fail(Failure::NotInNumbers);
+    joining
+}
+
+impl<J: Join, const M: usize, const TWO: usize> Run<'_, J, M, TWO> {
     /// An element that is not known in numbers, which is known at one frequency.
     fn own_part(&self, place: usize, numbers: &MemberNumbers) -> Option<OwnPart> {
         match (numbers, self.known_at) {
@@ -40,7 +69,7 @@ impl<J: Join> Run<'_, J> {
     }
 }
 
-impl<J: Join> Visitor for Run<'_, J> {
+impl<J: Join, const M: usize, const TWO: usize> Visitor for Run<'_, J, M, TWO> {
     fn tip(&mut self, step: usize, support: Support) {
         self.paths.tip(step, support, &mut self.joining);
     }
@@ -67,16 +96,22 @@ impl<J: Join> Visitor for Run<'_, J> {
         }
     }
 
-    fn member(&mut self, member: (usize, Freedoms), numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize) {
+    fn member(
+        &mut self,
+        (member, freedoms, plane): (usize, Freedoms, MemberPlane<Exact>),
+        numbers: &MemberNumbers,
+        ends: &[MemberEnd; 2],
+        next: usize,
+    ) {
         if !self.joining.has_failed() {
-            let own = self.own_part(member.0, numbers);
-            self.nodes.member((numbers, own, member.1), ends, next, &mut self.joining);
+            let own = self.own_part(member, numbers);
+            self.nodes.member((numbers, own), (freedoms, plane), ends, next, &mut self.joining);
         }
     }
 
-    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]) {
+    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: &[Exact; 6], centre: [Exact; 3]) {
         if !self.joining.has_failed() {
-            self.nodes.body(node, [mass, inertia], centre, &mut self.joining);
+            self.nodes.body(node, (mass, inertia), centre, &mut self.joining);
         }
     }
 

@@ -6,7 +6,7 @@ use crate::proof::constraint::{FREEDOMS, JOINED, PointRows, go_on, hold, satisfy
 use crate::proof::join::{Failure, Join};
 use crate::proof::level::Level;
 use crate::proof::number::Number;
-use crate::proof::row::{Row, Term, is_zero};
+use crate::proof::row::{Row, TERMS, Term, is_zero};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// An open path.
@@ -227,7 +227,7 @@ fn spring<J: Join>(
     joining: &mut J,
 ) -> Row<J::Alone, 2> {
     let own = Row::of(joining.enter());
-    joining.add_spring(spring, [input.unwrap_or(&Row::none()), &own]);
+    joining.add_spring::<_, TERMS>(spring, [input.unwrap_or(&Row::none()), &own]);
     own
 }
 

@@ -1,7 +1,7 @@
 //! The visit: a model names its parts one after the other, and adds no other code to a proof.
 
 use crate::element::{Exact, MemberNumbers, OwnPart};
-use crate::model::Spot;
+use crate::model::{MemberPlane, Skew, Spot};
 use mstmm_plan::{Freedoms, Scheme, Space, Step, Support};
 
 /// What a model names its parts to: a tree its steps, a frame its members and nodes.
@@ -15,10 +15,16 @@ pub trait Visitor {
     /// The path that has come to the step `input` ends in the root.
     fn root(&mut self, input: usize, support: Support);
 
-    /// A member of an index, which acts in these freedoms, between two nodes, of which one leaves next.
-    fn member(&mut self, member: (usize, Freedoms), numbers: &MemberNumbers, ends: &[MemberEnd; 2], next: usize);
-    /// A rigid body that moves with a node: its mass, its moment of inertia about its mass centre, and where that is.
-    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: Exact, centre: [Exact; 2]);
+    /// A member of an index, or a part of one, which acts in these freedoms in a plane, between two nodes, of which one leaves next.
+    fn member(
+        &mut self,
+        member: (usize, Freedoms, MemberPlane<Exact>),
+        numbers: &MemberNumbers,
+        ends: &[MemberEnd; 2],
+        next: usize,
+    );
+    /// A rigid body that moves with a node: its mass, its tensor of inertia about its mass centre, and where that is.
+    fn body(&mut self, node: &NodeNumbers, mass: Exact, inertia: &[Exact; 6], centre: [Exact; 3]);
     /// All parts that know a node have been named.
     fn leave(&mut self, node: usize);
 }
@@ -27,6 +33,10 @@ pub trait Visitor {
 pub(crate) trait Visited {
     /// Names them.
     fn visit(&self, visitor: &mut dyn Visitor);
+    /// Whether all that it names moves in one plane.
+    fn is_flat(&self) -> bool {
+        true
+    }
     /// What a node or a step is called.
     fn spot(&self, place: usize) -> Spot;
     /// The element of a step, or of a member, that is not known in numbers, at ω, which is the sum of two words.
@@ -83,11 +93,17 @@ impl Visitor for Known<'_> {
 
     fn root(&mut self, _: usize, _: Support) {}
 
-    fn member(&mut self, (member, _): (usize, Freedoms), numbers: &MemberNumbers, _: &[MemberEnd; 2], _: usize) {
-        self.look_at(member, numbers);
+    fn member(
+        &mut self,
+        member: (usize, Freedoms, MemberPlane<Exact>),
+        numbers: &MemberNumbers,
+        _: &[MemberEnd; 2],
+        _: usize,
+    ) {
+        self.look_at(member.0, numbers);
     }
 
-    fn body(&mut self, _: &NodeNumbers, _: Exact, _: Exact, _: [Exact; 2]) {}
+    fn body(&mut self, _: &NodeNumbers, _: Exact, _: &[Exact; 6], _: [Exact; 3]) {}
 
     fn leave(&mut self, _: usize) {}
 }
@@ -98,11 +114,11 @@ pub struct NodeNumbers {
     /// Its index.
     pub index: usize,
     /// Its place.
-    pub place: [Exact; 2],
-    /// Its displacements along x and y and its rotation, as far as nothing holds them.
+    pub place: [Exact; 3],
+    /// Its displacements and rotations, as far as nothing holds them.
     pub free: Freedoms,
-    /// The direction of its one displacement, of any length, if it has one; then x and y are not free.
-    pub along: Option<[Exact; 2]>,
+    /// How it moves along directions, if it does; then no displacement is free.
+    pub skew: Option<Skew<Exact>>,
 }
 
 /// The end of a member in numbers.
@@ -111,9 +127,9 @@ pub struct MemberEnd {
     /// Its node.
     pub node: NodeNumbers,
     /// Its place, tied rigidly to the node.
-    pub place: [Exact; 2],
+    pub place: [Exact; 3],
     /// The direction of its x axis, of any length; that from the first place to the second where there is none.
-    pub along: Option<[Exact; 2]>,
+    pub along: Option<[Exact; 3]>,
     /// The freedoms that it does not share with the node, in the axes of the member.
     pub released: Freedoms,
 }

@@ -6,8 +6,11 @@ use crate::structure::triangle;
 use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
 
-/// Most freedoms of an end.
+/// Most freedoms of an end of a part of a member, in a plane.
 pub const MOST_FREEDOMS: usize = Freedoms::SINGLE.len();
+
+/// Most motions of a node.
+pub(crate) const MOST_MOTIONS: usize = Freedoms::EACH.len();
 
 /// Most variables of a member.
 pub const MOST_VARIABLES: usize = 2 * MOST_FREEDOMS;
@@ -205,5 +208,5 @@ pub struct JoinedEnd<S> {
     /// Whether its displacements vanish.
     pub(crate) rests: bool,
     /// What its displacements along and across the member and its rotation are of the motions of the node.
-    pub(crate) rows: [[S; MOST_FREEDOMS]; MOST_FREEDOMS],
+    pub(crate) rows: [[S; MOST_MOTIONS]; MOST_FREEDOMS],
 }

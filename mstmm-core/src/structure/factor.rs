@@ -1,6 +1,7 @@
 //! The matrix of the unknowns that have not left, and their elimination. No pivot is searched: an unknown waits while its pivot is small.
 
 use crate::number::{Operation, Products, Scalar, Size, with_products};
+use crate::structure::chart::MOST_MOTIONS;
 use crate::structure::node_unknowns::{MotionUnknown, NodeUnknowns};
 use crate::structure::tape::Tape;
 use crate::structure::total::Total;
@@ -383,8 +384,8 @@ impl<S: Scalar> Factor<'_, S> {
     }
 
     /// The values of the motions of a node under a load.
-    pub(crate) fn values_of(&self, node: &NodeUnknowns, load: usize) -> [S; 3] {
-        let mut values = [S::zero(); 3];
+    pub(crate) fn values_of(&self, node: &NodeUnknowns, load: usize) -> [S; MOST_MOTIONS] {
+        let mut values = [S::zero(); MOST_MOTIONS];
         for (value, motion) in values.iter_mut().zip(node.motions) {
             *value = motion.map_or(S::zero(), |motion| self.value(motion.number, load));
         }

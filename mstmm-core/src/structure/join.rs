@@ -2,7 +2,7 @@
 
 use crate::model::EndMotion;
 use crate::number::{Scalar, Size, power_of_two};
-use crate::structure::chart::{MOST_FREEDOMS, MOST_VARIABLES};
+use crate::structure::chart::{MOST_FREEDOMS, MOST_MOTIONS, MOST_VARIABLES};
 use crate::structure::factor::Factor;
 use crate::structure::member::{Kind, MemberStiffness};
 use crate::structure::node_unknowns::NodeUnknowns;
@@ -13,15 +13,15 @@ const FLEXIBILITY: f64 = 1e-6;
 /// What a variable of a member is of the unknowns.
 #[derive(Clone, Copy)]
 struct Sum<S> {
-    slots: [u32; MOST_FREEDOMS],
-    coefficients: [S; MOST_FREEDOMS],
+    slots: [u32; MOST_MOTIONS],
+    coefficients: [S; MOST_MOTIONS],
     count: usize,
 }
 
 impl<S: Scalar> Sum<S> {
     /// Nothing.
     fn none() -> Self {
-        Sum { slots: [0; MOST_FREEDOMS], coefficients: [S::zero(); MOST_FREEDOMS], count: 0 }
+        Sum { slots: [0; MOST_MOTIONS], coefficients: [S::zero(); MOST_MOTIONS], count: 0 }
     }
 
     /// An unknown.
@@ -67,7 +67,7 @@ impl<S: Scalar> Factor<'_, S> {
     /// Adds a member all of whose displacements are those of its nodes: block by block of both ends `TᵀKT`, with the rows T.
     fn join_tied(&mut self, member: &MemberStiffness<S>, nodes: [&NodeUnknowns; 2]) {
         let freedoms = member.chart.freedoms.count();
-        let mut rows = [[[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS]; 2];
+        let mut rows = [[[S::zero(); MOST_MOTIONS]; MOST_FREEDOMS]; 2];
         let is_tied = [0, freedoms].map(|first| member.kinds[first] == Kind::Tied);
         for end in (0..2).filter(|end| is_tied[*end]) {
             for (place, row) in rows[end].iter_mut().enumerate().take(freedoms) {
@@ -84,7 +84,7 @@ impl<S: Scalar> Factor<'_, S> {
         }
         for [one, other] in [[0, 0], [1, 0], [1, 1]].into_iter().filter(|pair| pair.iter().all(|end| is_tied[*end])) {
             let motions = [one, other].map(|end| nodes[end].count as usize);
-            let mut block = [[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS];
+            let mut block = [[S::zero(); MOST_MOTIONS]; MOST_MOTIONS];
             for place in 0..freedoms {
                 for column in 0..motions[1] {
                     let mut sum = S::zero();
@@ -115,7 +115,7 @@ impl<S: Scalar> Factor<'_, S> {
     }
 
     /// Adds a block between the motions of two nodes, or its lower triangle on the diagonal.
-    fn add_block(&mut self, block: &[[S; MOST_FREEDOMS]; MOST_FREEDOMS], nodes: [&NodeUnknowns; 2], is_diagonal: bool) {
+    fn add_block(&mut self, block: &[[S; MOST_MOTIONS]; MOST_MOTIONS], nodes: [&NodeUnknowns; 2], is_diagonal: bool) {
         for (motion, slot) in nodes[0].slots() {
             for (column, other) in nodes[1].slots() {
                 if is_diagonal && column > motion {
@@ -254,8 +254,8 @@ impl<S: Scalar> Factor<'_, S> {
     pub(super) fn take_up(
         &mut self,
         node: &NodeUnknowns,
-        body: &Option<[[S; MOST_FREEDOMS]; MOST_FREEDOMS]>,
-        forces: &[S; MOST_FREEDOMS],
+        body: &Option<[[S; MOST_MOTIONS]; MOST_MOTIONS]>,
+        forces: &[S; MOST_MOTIONS],
     ) {
         for (row, slot) in node.slots() {
             if let Some(entries) = body {

@@ -6,7 +6,7 @@
 
 use crate::model::EndMotion;
 use crate::number::{Scalar, Scaled, Size, power_of_two};
-use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_VARIABLES};
+use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS, MOST_MOTIONS, MOST_VARIABLES};
 use crate::structure::units::Units;
 use mstmm_plan::Freedoms;
 
@@ -65,7 +65,7 @@ pub struct MemberStiffness<S: Scalar> {
     /// The end and the freedom of each variable.
     pub(crate) places: [(usize, usize); MOST_VARIABLES],
     /// What the displacements of both ends are of the motions of their nodes.
-    pub(crate) rows: [[[S; MOST_FREEDOMS]; MOST_FREEDOMS]; 2],
+    pub(crate) rows: [[[S; MOST_MOTIONS]; MOST_FREEDOMS]; 2],
     /// The numbers of the unknowns of its own.
     pub(crate) unknowns: [u32; MOST_VARIABLES],
     /// The work of the load on what flips have solved for.
@@ -80,7 +80,7 @@ impl<S: Scalar> MemberStiffness<S> {
             load: None,
             kinds: [Kind::Held; MOST_VARIABLES],
             places: [(0, 0); MOST_VARIABLES],
-            rows: [[[S::zero(); MOST_FREEDOMS]; MOST_FREEDOMS]; 2],
+            rows: [[[S::zero(); MOST_MOTIONS]; MOST_FREEDOMS]; 2],
             unknowns: [0; MOST_VARIABLES],
             work: S::zero(),
         }

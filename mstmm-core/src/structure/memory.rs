@@ -3,7 +3,7 @@
 use crate::model::EndMotion;
 use crate::number::Scalar;
 use crate::number::compiled::for_compiled_numbers;
-use crate::structure::chart::{Chart, JoinedEnd, MOST_FREEDOMS};
+use crate::structure::chart::{Chart, JoinedEnd, MOST_MOTIONS};
 use crate::structure::factor::{Factor, LOADS, Row, Unknown};
 use crate::structure::member::{MemberLoad, MemberStiffness};
 use crate::structure::node_unknowns::{MotionUnknown, NodeUnknowns};
@@ -126,8 +126,8 @@ pub trait StructureScalar: Scalar {
     fn take_up(
         factor: &mut Factor<'_, Self>,
         node: &NodeUnknowns,
-        body: &Option<[[Self; MOST_FREEDOMS]; MOST_FREEDOMS]>,
-        forces: &[Self; MOST_FREEDOMS],
+        body: &Option<[[Self; MOST_MOTIONS]; MOST_MOTIONS]>,
+        forces: &[Self; MOST_MOTIONS],
     );
 
     /// Lets all unknowns leave that are left.
@@ -170,8 +170,8 @@ macro_rules! compiled {
             fn take_up(
                 factor: &mut Factor<'_, Self>,
                 node: &NodeUnknowns,
-                body: &Option<[[Self; MOST_FREEDOMS]; MOST_FREEDOMS]>,
-                forces: &[Self; MOST_FREEDOMS],
+                body: &Option<[[Self; MOST_MOTIONS]; MOST_MOTIONS]>,
+                forces: &[Self; MOST_MOTIONS],
             ) {
                 factor.take_up(node, body, forces);
             }
@@ -212,8 +212,8 @@ impl<V: crate::number::lanes::Waving> StructureScalar for mstmm_lanes::Lanes<V> 
     fn take_up(
         _factor: &mut Factor<'_, Self>,
         _node: &NodeUnknowns,
-        _body: &Option<[[Self; MOST_FREEDOMS]; MOST_FREEDOMS]>,
-        _forces: &[Self; MOST_FREEDOMS],
+        _body: &Option<[[Self; MOST_MOTIONS]; MOST_MOTIONS]>,
+        _forces: &[Self; MOST_MOTIONS],
     ) {
     }
 

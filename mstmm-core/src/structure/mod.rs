@@ -32,7 +32,7 @@ mod total;
 pub(crate) mod triangle;
 mod units;
 
-pub(crate) use chart::{Chart, JoinedEnd, MOST_VARIABLES};
+pub(crate) use chart::{Chart, JoinedEnd, MOST_MOTIONS, MOST_VARIABLES};
 pub(crate) use factor::{Factor, LOADS, LoadEverywhere};
 pub(crate) use member::{MemberLoad, MemberStiffness};
 #[cfg(feature = "std")]

@@ -61,7 +61,7 @@ fn eliminate(matrix: &[[f64; 6]; 6], factor: &mut Factor<'_, f64>) -> Vec<NodeUn
         factor.note(slots[row], 1.0);
     }
     for (node, unknowns) in nodes.iter().enumerate() {
-        factor.take_up(unknowns, &None, &[force(2 * node), force(2 * node + 1), 0.0]);
+        factor.take_up(unknowns, &None, &[force(2 * node), force(2 * node + 1), 0.0, 0.0, 0.0, 0.0]);
     }
     nodes
 }
@@ -90,7 +90,7 @@ fn values_solve_the_equations() {
 fn a_factor_without_room_knows_nothing() {
     in_memory::<3, 2, f64, _>(true, |mut factor| {
         let nodes = [enter_node(&mut factor), enter_node(&mut factor)];
-        nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 3]));
+        nodes.iter().for_each(|node| factor.take_up(node, &None, &[1.0; 6]));
         factor.solve();
         assert!(factor.values_of(&nodes[0], 0)[0].is_nan());
     });

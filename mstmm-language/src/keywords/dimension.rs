@@ -23,7 +23,7 @@ impl Dimension {
     pub(crate) fn freedoms(self) -> Freedoms {
         match self {
             Dimension::Line => Freedoms::Y.union(Freedoms::RZ),
-            Dimension::Plane => Freedoms::ALL,
+            Dimension::Plane => Freedoms::PLANE,
         }
     }
 

@@ -109,25 +109,25 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     keyword("rod", Role::Path, XY),
     keyword("shaft", Role::Path, Freedoms::RZ),
     keyword("point_mass", Role::PointMass, XY),
-    keyword("hinge", Role::Joint, Freedoms::ALL),
+    keyword("hinge", Role::Joint, Freedoms::PLANE),
     refused("body", [RIGID_BODY; 2]),
-    keyword("beam", Role::Member, Freedoms::ALL),
+    keyword("beam", Role::Member, Freedoms::PLANE),
     LocatedKeyword { released: Freedoms::RZ, instead: [Some("beam"), None], ..keyword(BAR, Role::Member, XY) },
     STRING_BETWEEN_PLACES,
     LocatedKeyword {
         vector: Some("centre"),
         own: Some(&["mass", "inertia", "centre"]),
-        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::ALL)
+        ..keyword(RIGID_BODY, Role::RigidBody, Freedoms::PLANE)
     },
-    LocatedKeyword { own: Some(&[]), ..keyword(RIGID_LINK, Role::RigidBody, Freedoms::ALL) },
+    LocatedKeyword { own: Some(&[]), ..keyword(RIGID_LINK, Role::RigidBody, Freedoms::PLANE) },
     LocatedKeyword { own: Some(&[]), ..keyword("pin", Role::Joint, XY) },
     LocatedKeyword {
         vector: Some("along"),
         own: Some(&["along"]),
         instead: [Some("hinge"), None],
-        ..keyword("slider", Role::Joint, Freedoms::ALL)
+        ..keyword("slider", Role::Joint, Freedoms::PLANE)
     },
-    LocatedKeyword { instead: [None, Some("beam")], ..keyword("tapered_beam", Role::Member, Freedoms::ALL) },
+    LocatedKeyword { instead: [None, Some("beam")], ..keyword("tapered_beam", Role::Member, Freedoms::PLANE) },
 ];
 
 /// The support that names what it holds.

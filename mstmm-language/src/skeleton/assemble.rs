@@ -25,7 +25,7 @@ impl<'a> Skeleton<'a> {
         }
         for member in &network.members {
             let ends = member.ends.map(|point| End { seat: Seat::Point(point), axis: Axis::Member });
-            let acts_in = member.element.located().map_or(Freedoms::ALL, LocatedKeyword::acts_in);
+            let acts_in = member.element.located().map_or(Freedoms::PLANE, LocatedKeyword::acts_in);
             let freedoms = FreedomSet::known(acts_in.intersection(network.dimension.freedoms()));
             assembly.element(member.element, freedoms, ends);
         }
@@ -96,7 +96,7 @@ impl<'a> Assembly<'a> {
             name: name.clone(),
             place: Some(place),
             freedoms: all,
-            held: Freedoms::ALL,
+            held: Freedoms::PLANE,
             along: None,
         });
         let axis = direction.map_or(Axis::X, Axis::Along);

@@ -56,7 +56,7 @@ impl<'a> Assembly<'a> {
             let element = path.elements.iter().find(ends_here).map(|element| element.element.to_string());
             format!("the end of {}", element.unwrap_or_default())
         });
-        let held = if motion.is_held { Freedoms::ALL } else { Freedoms::NONE };
+        let held = if motion.is_held { Freedoms::PLANE } else { Freedoms::NONE };
         let freedoms = FreedomSet::along(path.motion);
         self.skeleton.nodes.push(Node { name, place: None, freedoms: freedoms.clone(), held, along: None });
         let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: &[] };

@@ -168,13 +168,13 @@ const _: () = {
                 name: "fixed at beam 1",
                 node: 0usize,
                 place: 0usize,
-                freedoms: mstmm::__private::Freedoms::ALL,
+                freedoms: mstmm::__private::Freedoms::PLANE,
             },
             mstmm::__private::SketchedPoint {
                 name: "conn top",
                 node: 1usize,
                 place: 1usize,
-                freedoms: mstmm::__private::Freedoms::ALL,
+                freedoms: mstmm::__private::Freedoms::PLANE,
             },
             mstmm::__private::SketchedPoint {
                 name: "conn anchor",
@@ -190,7 +190,7 @@ const _: () = {
                 name: "fixed at beam 1",
                 point: 0usize,
                 node: 0usize,
-                held: mstmm::__private::Freedoms::ALL,
+                held: mstmm::__private::Freedoms::PLANE,
                 along: ::core::option::Option::None,
             },
             mstmm::__private::SketchedSupport {
@@ -206,13 +206,13 @@ const _: () = {
         nodes: [
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(0usize),
-                freedoms: mstmm::__private::Freedoms::ALL,
-                held: mstmm::__private::Freedoms::ALL,
+                freedoms: mstmm::__private::Freedoms::PLANE,
+                held: mstmm::__private::Freedoms::PLANE,
                 along: ::core::option::Option::None,
             },
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(1usize),
-                freedoms: mstmm::__private::Freedoms::ALL,
+                freedoms: mstmm::__private::Freedoms::PLANE,
                 held: mstmm::__private::Freedoms::NONE,
                 along: ::core::option::Option::None,
             },
@@ -221,7 +221,7 @@ const _: () = {
                 freedoms: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X)
                     .union(mstmm::__private::Freedoms::Y),
-                held: mstmm::__private::Freedoms::ALL,
+                held: mstmm::__private::Freedoms::PLANE,
                 along: ::core::option::Option::None,
             },
         ],
@@ -229,7 +229,7 @@ const _: () = {
             mstmm::__private::SketchedMember {
                 name: "beam 1",
                 kind: ::core::option::Option::Some("Beam"),
-                freedoms: mstmm::__private::Freedoms::ALL,
+                freedoms: mstmm::__private::Freedoms::PLANE,
                 released: mstmm::__private::Freedoms::NONE,
                 ends: [
                     mstmm::__private::SketchedEnd {
@@ -371,13 +371,13 @@ const _: () = {
         fn sizes(&self) -> [::core::primitive::usize; 2] {
             [3usize, 2usize]
         }
-        fn place(&self, place: ::core::primitive::usize) -> [T; 2] {
+        fn place(&self, place: ::core::primitive::usize) -> [T; 3] {
             SKETCH.place(&self.geometry, place)
         }
         fn node(
             &self,
             node: ::core::primitive::usize,
-        ) -> (&mstmm::__private::Node<T>, &mstmm::__private::Motions<T>) {
+        ) -> (&mstmm::__private::PlacedNode<T>, &mstmm::__private::Motions<T>) {
             self.skeleton.node(node)
         }
         fn placement(

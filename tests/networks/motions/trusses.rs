@@ -17,7 +17,7 @@ const BARS: [[usize; 2]; 7] = [[0, 1], [1, 4], [2, 3], [0, 2], [2, 1], [1, 3], [
 /// The nodes of the joints, then two for each bar.
 fn nodes() -> Vec<Node<f64>> {
     let joints = JOINTS.iter().enumerate().map(|(joint, place)| match joint {
-        0 => Node::at(*place).held(Freedoms::ALL),
+        0 => Node::at(*place).held(Freedoms::PLANE),
         4 => Node::at(*place).held(Freedoms::Y.union(Freedoms::RZ)),
         _ => Node::at(*place).held(Freedoms::RZ),
     });

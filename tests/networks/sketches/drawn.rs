@@ -67,7 +67,7 @@ fn the_portal_is_as_it_is_written() {
         let at_points = [from, to].map(|end| points(&portal)[end.point.unwrap()].1 == end.position.unwrap());
         at_points == [true; 2] && (member.kind == "pin" || from.along.is_none() && to.along.is_none())
     }));
-    let expected = [("fixed at beam 1", 0, Freedoms::ALL, None), ("pinned at conn foot", 4, XY, None)];
+    let expected = [("fixed at beam 1", 0, Freedoms::PLANE, None), ("pinned at conn foot", 4, XY, None)];
     assert_eq!(supports(&portal), expected.map(|(name, point, held, along)| (name.to_owned(), point, held, along)));
     let bodies: Vec<_> = portal.sketch().bodies().collect();
     assert_eq!(bodies.len(), 1);
@@ -186,7 +186,7 @@ fn a_list_has_indices_for_names() {
         ends(&system, "member 2").map(|end| (end.along, end.rests)),
         [false, true].map(|rests| (Some([0.0, 2.0]), rests))
     );
-    let expected = [("node 0", 0, Freedoms::ALL, None), ("node 2", 2, Freedoms::RZ, Some([1.0, 1.0]))];
+    let expected = [("node 0", 0, Freedoms::PLANE, None), ("node 2", 2, Freedoms::RZ, Some([1.0, 1.0]))];
     assert_eq!(supports(&system), expected.map(|(name, point, held, along)| (name.to_owned(), point, held, along)));
     let bodies = system.sketch().bodies().map(|body| (body.name.to_string(), (body.mass, body.inertia, body.centre)));
     assert_eq!(bodies.collect::<Vec<_>>(), named(vec![("node 1", (2.0, 0.5, Some([2.25, 0.125])))]));

@@ -44,8 +44,8 @@ fn paths_move_along_their_directions() {
         Node::at([x, 0.5]),
         along_x(mass),
         along_x(0.5 * mass),
-        Node::at([0.0, 0.0]).held(Freedoms::ALL),
-        Node::at([2.0, 2.0]).held(Freedoms::ALL),
+        Node::at([0.0, 0.0]).held(Freedoms::PLANE),
+        Node::at([2.0, 2.0]).held(Freedoms::PLANE),
         Node::at([0.0, 0.0]).held(Freedoms::X.union(Freedoms::Y)).with_body(0.0, 0.1 * mass, [0.0, 0.0]),
     ];
     let spring = |stiffness| Spring { stiffness };
@@ -82,7 +82,7 @@ fn masses_at_contacts_and_shared_motions_are_tied_rigidly() {
         Node::at([2.0, 0.0]),
         along_x(mass),
         along_x(0.0),
-        Node::at([0.0, 0.0]).held(Freedoms::ALL),
+        Node::at([0.0, 0.0]).held(Freedoms::PLANE),
     ];
     let at = |node| End::of(node).along([1.0, 0.0]);
     let tie = || Joint::rigid(Freedoms::X);
@@ -137,7 +137,7 @@ fn bodies_joints_and_skew_supports_are_those_of_lists() {
         Node::at([3.0, 1.0]),
         Node::at([3.0, 1.0]),
         Node::at([4.0, 0.0]).along([3.0, 1.0]),
-        Node::at([1.75, -0.25]).held(Freedoms::ALL),
+        Node::at([1.75, -0.25]).held(Freedoms::PLANE),
     ];
     let hinge = PlanarHinge { stiffness_x: k, stiffness_y: 2.0 * k, stiffness_theta: 0.1 * k };
     let skew = [1.0, 5.0];

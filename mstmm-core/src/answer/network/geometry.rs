@@ -2,7 +2,8 @@
 
 use crate::answer::network::states::PlaneStates;
 use crate::number::{Frequency, Scalar};
-use crate::pass::network::{Axis, NetworkSketch, Placed, SketchedMember, moved};
+use crate::pass::network::vector::{Six, displacements, moved, rotations};
+use crate::pass::network::{Axis, NetworkSketch, Placed, SketchedMember};
 
 /// `∂L/∂(number)` for the numbers of a sketch, in their order.
 pub(super) struct Geometry<'g, S> {
@@ -83,7 +84,7 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
     let placement = states.system.placement(member);
     let [from, to] = sketched.ends.each_ref().map(|end| sketch.place_of(end));
     if !length.is_zero() {
-        let [c, s] = placement.axis::<S>(0);
+        let [c, s, _] = placement.axes::<S>(0).along;
         geometry.move_vector(from, to, [c * length, s * length]);
     }
     for (end, motion) in states.motion.members.as_ref()[member].iter().enumerate() {
@@ -97,7 +98,7 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
         geometry.move_apart(place, of_node, [rotation * force[1], -(rotation * force[0])]);
         // a turn of the axes by dφ changes displacements along and across by their cross product with it
         let turn = fx * across - fy * along;
-        let by_direction = |[x, y]: [S; 2]| {
+        let by_direction = |[x, y, _]: [S; 3]| {
             let square = x * x + y * y;
             [-(turn * y) / square, turn * x / square]
         };
@@ -123,11 +124,11 @@ fn add_supports<Y, S, const NODES: usize, const MEMBERS: usize>(
 {
     let reactions = states.reactions();
     for (node, sketched) in sketch.nodes.iter().enumerate() {
-        let (Some(direction), Some(vector)) = (sketched.along, states.system.node(node).0.along) else { continue };
-        let [x, y] = vector.map(S::from_parameter);
-        let [u, v, _] = states.motion.nodes.as_ref()[node];
+        let (Some(direction), Some(skew)) = (sketched.along, states.system.node(node).0.skew) else { continue };
+        let [x, y, _] = skew.direction().map(S::from_parameter);
+        let [u, v, ..] = states.motion.nodes.as_ref()[node];
         let motion = (u * x + v * y) / (x * x + y * y);
-        let [fx, fy, _] = reactions.as_ref()[node];
+        let [fx, fy, ..] = reactions.as_ref()[node];
         add(&mut geometry.directions[direction], [motion * fx, motion * fy]);
     }
 }
@@ -150,8 +151,9 @@ fn add_bodies<Y, S, const NODES: usize, const MEMBERS: usize>(
         let place = sketch.nodes[body.node].place;
         let position = states.system.node(body.node).0.position.map(S::from_parameter);
         // a mass on a path has no place: it moves as its node does
-        let to_centre = if place.is_some() { [x - position[0], y - position[1]] } else { [S::zero(); 2] };
-        let centre @ [at_x, at_y, rotation] = moved(node, to_centre);
+        let zero = S::zero();
+        let to_centre = if place.is_some() { [x - position[0], y - position[1], zero] } else { [zero; 3] };
+        let centre @ [at_x, at_y, rotation, ..] = moved(node, to_centre);
         let slopes = [square * mass * rotation * at_y, -(square * mass * rotation * at_x)];
         geometry.move_apart(None, place, slopes);
         let [by_mass, by_inertia] = body_slopes(square, centre);
@@ -159,8 +161,10 @@ fn add_bodies<Y, S, const NODES: usize, const MEMBERS: usize>(
     }
 }
 
-/// `∂L/∂m` and `∂L/∂J` of a body, given λ² and the displacements of its mass centre.
-pub(crate) fn body_slopes<S: Scalar>(square: S, [x, y, rotation]: [S; 3]) -> [S; 2] {
+/// `∂L/∂m` and `∂L/∂J`, J about z, of a body, given λ² and the displacements of its mass centre.
+pub(crate) fn body_slopes<S: Scalar>(square: S, centre: Six<S>) -> [S; 2] {
     let half = S::from_f64(0.5) * square;
-    [half * (x * x + y * y), half * rotation * rotation]
+    let [x, y, z] = displacements(centre);
+    let [.., rotation] = rotations(centre);
+    [half * (x * x + y * y + z * z), half * rotation * rotation]
 }

@@ -5,6 +5,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{Inside, MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MemberLabel, MotionError};
 use crate::number::{Oscillation, Real, Scalar};
+use crate::pass::network::vector::displacements;
 use crate::pass::network::{Placed, PlacedMotions};
 
 /// Rounding of a length that follows from places, as a part of it.
@@ -48,7 +49,7 @@ where
             return Err(MotionError::Outside { distance, length });
         }
         let motion = self.motion_at(member, distance.min(length));
-        let [displacement_x, displacement_y, rotation_z] = self.in_global_axes(member, 0, motion.displacements);
+        let [displacement_x, displacement_y, rotation_z, ..] = self.in_global_axes(member, 0, motion.displacements);
         let [axial_force, shear, moment] = motion.internal(1);
         Ok(MemberState { displacement_x, displacement_y, rotation_z, axial_force, shear, moment })
     }
@@ -74,8 +75,8 @@ where
     pub(crate) fn largest_deflection(&self) -> f64 {
         let [nodes, members] = self.system.sizes();
         let mut largest = 0.0_f64;
-        for [x, y, _] in &self.motion.nodes.as_ref()[..nodes] {
-            largest = largest.max(square(*x) + square(*y));
+        for node in &self.motion.nodes.as_ref()[..nodes] {
+            largest = largest.max(displacements(*node).into_iter().map(square).sum());
         }
         for member in 0..members {
             for motion in &self.motion.members.as_ref()[member] {

@@ -44,7 +44,7 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
         };
         for node in 0..self.system.sizes()[0] {
             let forces = load.on_node(self.system, node).into_iter().flatten();
-            for (force, displacement) in forces.zip(shape.node(node)?) {
+            for (force, displacement) in forces.zip(shape.all_of(node)?) {
                 work += force * displacement;
             }
         }

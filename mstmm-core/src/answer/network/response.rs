@@ -3,12 +3,13 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::spread_load::loads;
-use crate::answer::network::states::{PlaneStates, Seen, check, check_freedom, held_at, located, offset};
+use crate::answer::network::states::{PlaneStates, Seen, check, check_freedom, held_at, internal, located, offset};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::{Root, is_below_losses};
-use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
+use crate::model::{MemberPlane, MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
+use crate::pass::network::vector::{ROTATIONS, at_node};
 use crate::pass::network::{
     ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, Wanted,
     load_on_chart, motion_under,
@@ -100,9 +101,10 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Ok(match self.entry.quantity {
             Quantity::Displacement(site, _) => match located(self.system, site)? {
                 Seen::Tied(_) => Wanted::Nodes,
-                Seen::End { member, .. } => Wanted::Member(member),
+                Seen::End { parts, .. } if parts.len() > 1 => Wanted::All,
+                Seen::End { parts, .. } => Wanted::Member(parts.start),
             },
-            Quantity::Internal { member, .. } => Wanted::Member(self.system.member_of(member)?),
+            Quantity::Internal { member, force, .. } => Wanted::Member(internal(self.system, member, force)?),
             Quantity::Reaction(..) => Wanted::All,
         })
     }
@@ -284,7 +286,7 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
     system: &Y,
     load: PlaneActing,
 ) -> Result<ActingLoad<S>, MotionError> {
-    let mut forces = [S::zero(); 3];
+    let mut forces = [S::zero(); 6];
     let (site, axis) = match load {
         PlaneActing::Spread(load) => {
             load.member.map_or(Ok(0), |member| system.member_of(member))?;
@@ -298,24 +300,24 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
         PlaneActing::Force(site, axis) => (site, axis),
     };
     check_freedom(system, site, axis)?;
-    let (node, [x, y]): (_, [S; 2]) = match located(system, site)? {
+    let (node, offset): (_, [S; 3]) = match located(system, site)? {
         Seen::Tied(Tied { node, place, .. }) => (node, offset(system, node, place)),
-        Seen::End { member, end } => {
-            let placement = system.placement(member);
+        Seen::End { parts, end } => {
             // a force acts on what the end shares with its node
-            let turns = Freedoms::SINGLE[axis].is(Freedoms::RZ);
-            if turns && !placement.freedoms.contains(Freedoms::RZ) {
-                return Err(MotionError::NoSuchFreedom { freedom: Freedoms::RZ });
-            }
-            let of_kind = if turns { Freedoms::RZ } else { Freedoms::X.union(Freedoms::Y) };
-            let released = placement.released(end).intersection(of_kind);
-            if !released.is_empty() {
-                return Err(MotionError::NoSuchFreedom { freedom: released });
+            let of_kind = if ROTATIONS.contains(&axis) { Freedoms::RZ } else { Freedoms::X.union(Freedoms::Y) };
+            let placement = system.placement(parts.start);
+            for part in parts {
+                let released = system.placement(part).released(end).intersection(of_kind);
+                if !released.is_empty() {
+                    let is_in_plane = placement.plane() == MemberPlane::Structure;
+                    return Err(MotionError::NoSuchFreedom {
+                        freedom: if is_in_plane { released } else { Freedoms::EACH[axis] },
+                    });
+                }
             }
             (placement.node_of(end), placement.offset(end))
         }
     };
     forces[axis] = S::one();
-    forces[2] += x * forces[1] - y * forces[0];
-    Ok(ActingLoad::At(LoadAt { node, forces, moved: None }))
+    Ok(ActingLoad::At(LoadAt { node, forces: at_node(forces, offset), moved: None }))
 }

@@ -4,7 +4,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MotionError, SpreadLoad};
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::{PerMember, PlacedMotions, load_work, turned};
+use crate::pass::network::{PerMember, PlacedMotions, load_work};
 use mstmm_plan::Freedoms;
 use num_traits::Zero;
 
@@ -55,15 +55,15 @@ where
         return Ok([S::zero(); 2]);
     }
     let placement = system.placement(member);
-    let is_straight = placement.axis::<Y::Parameter>(0) == placement.axis(1)
+    let is_straight = placement.axes::<Y::Parameter>(0).along == placement.axes(1).along
         && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.is_of_path);
     let takes_loads = system.visit_member(member, TakesLoads).unwrap_or(false);
     if !(is_straight && takes_loads) {
         return Err(MotionError::NoUniformLoad);
     }
-    let mut direction = [S::zero(); 3];
+    let mut direction = [S::zero(); 6];
     direction[load.axis] = density;
-    let [along, across, _] = turned(direction, placement.axis(0));
+    let [along, across, _] = placement.axes(0).of(direction);
     for (part, freedom) in [(along, Freedoms::X), (across, Freedoms::Y)] {
         if part.size() > ROUNDING * density.size() && !placement.freedoms.contains(freedom) {
             return Err(MotionError::NoSuchFreedom { freedom });

@@ -1,8 +1,12 @@
 //! What a plane structure does in one motion.
 
-use crate::model::{EndMotion, Hold, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied};
+use crate::model::{
+    EndMotion, Handle, Hold, MemberPlane, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied,
+};
 use crate::number::Frequency;
-use crate::pass::network::{ActingLoad, NetworkMotion, PerNode, Placed, longest, moved, size_of_forces, turned};
+use crate::pass::network::vector::{ROTATIONS, Six, at_node, difference, moved};
+use crate::pass::network::{ActingLoad, NetworkMotion, PerNode, Placed, longest, size_on_node};
+use core::ops::Range;
 use mstmm_plan::Freedoms;
 
 /// The displacements and forces of a plane structure in one motion.
@@ -31,9 +35,14 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         check(self.system, entry)?;
         match entry.quantity {
             Quantity::Displacement(site, axis) => Ok(self.displacements(site)?[axis]),
-            Quantity::Reaction(site, axis) => Ok(self.reaction(held_at::<Y, S>(self.system, site, axis)?.0)?[axis]),
+            Quantity::Reaction(site, axis) => {
+                Ok(self.all_reactions(held_at::<Y, S>(self.system, site, axis)?.0)?[axis])
+            }
             Quantity::Internal { member, end, force } => {
-                Ok(self.member(self.system.member_of(member)?)?[end].internal(end)[force])
+                let part = internal(self.system, member, force)?;
+                let own = self.member(part)?[end].internal(end)[force % 3];
+                // the second part turns about -y
+                Ok(if force == MOMENT_Y { -own } else { own })
             }
         }
     }
@@ -48,11 +57,16 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         members.get(member).ok_or(MotionError::NoSuchPoint { index: member })
     }
 
-    /// Displacements x \[m\], y \[m\] and the rotation \[rad\] of a node.
+    /// Displacements x \[m\], y \[m\] and the rotation about z \[rad\] of a node.
     ///
     /// # Errors
     /// [`MotionError::NoSuchPoint`] for a node that this system has not got.
     pub fn node(&self, node: usize) -> Result<[S; 3], MotionError> {
+        self.all_of(node).map(|[x, y, turn, ..]| [x, y, turn])
+    }
+
+    /// All displacements of a node.
+    pub(crate) fn all_of(&self, node: usize) -> Result<Six<S>, MotionError> {
         let nodes = &self.motion.nodes.as_ref()[..self.system.sizes()[0]];
         nodes.get(node).copied().ok_or(MotionError::NoSuchPoint { index: node })
     }
@@ -62,7 +76,13 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// # Errors
     /// [`MotionError::NoSuchPoint`] for a node that this system has not got.
     pub fn reaction(&self, node: usize) -> Result<[S; 3], MotionError> {
-        self.node(node)?;
+        let [x, y, about_z, ..] = self.all_reactions(node)?;
+        Ok([x, y, about_z])
+    }
+
+    /// What its support does to a node.
+    fn all_reactions(&self, node: usize) -> Result<Six<S>, MotionError> {
+        self.all_of(node)?;
         Ok(self.reactions().as_ref()[node])
     }
 
@@ -78,21 +98,21 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub(super) fn node_of(&self, point: PlanePoint<Y::Model>) -> Result<usize, MotionError> {
         Ok(match located(self.system, point.site)? {
             Seen::Tied(Tied { node, .. }) => node,
-            Seen::End { member, end } => self.system.placement(member).node_of(end),
+            Seen::End { parts, end } => self.system.placement(parts.start).node_of(end),
         })
     }
 
-    /// A vector of a member in global axes, with the part about z as it is.
-    pub(super) fn in_global_axes(&self, member: usize, end: usize, vector: [S; 3]) -> [S; 3] {
-        let [c, s] = self.system.placement(member).axis::<S>(end);
-        turned(vector, [c, -s])
+    /// What is along a member, across it and about it in the axes of the structure.
+    pub(super) fn in_global_axes(&self, member: usize, end: usize, vector: [S; 3]) -> Six<S> {
+        self.system.placement(member).axes::<S>(end).back(vector)
     }
 
     /// The displacements of a point.
-    fn displacements(&self, site: Site) -> Result<[S; 3], MotionError> {
+    fn displacements(&self, site: Site) -> Result<Six<S>, MotionError> {
         match located(self.system, site)? {
-            Seen::Tied(Tied { node, place, .. }) => Ok(moved(self.node(node)?, offset(self.system, node, place))),
-            Seen::End { member, end } => {
+            Seen::Tied(Tied { node, place, .. }) => Ok(moved(self.all_of(node)?, offset(self.system, node, place))),
+            Seen::End { parts, end } if self.system.placement(parts.start).plane() == MemberPlane::Structure => {
+                let member = parts.start;
                 let own = self.member(member)?[end].displacements;
                 let placement = self.system.placement(member);
                 let mut local = self.tied(member, end);
@@ -102,6 +122,22 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
                     }
                 }
                 Ok(self.in_global_axes(member, end, local))
+            }
+            Seen::End { parts, end } => {
+                let placement = self.system.placement(parts.start);
+                let mut sum = moved(self.all_of(placement.node_of(end))?, placement.offset(end));
+                for member in parts {
+                    let (own, tied) = (self.member(member)?[end].displacements, self.tied(member, end));
+                    let mut jump = [S::zero(); 3];
+                    for (freedom, kind) in Freedoms::SINGLE.into_iter().enumerate() {
+                        if self.system.placement(member).released(end).contains(kind) {
+                            jump[freedom] = own[freedom] - tied[freedom];
+                        }
+                    }
+                    let jump = self.in_global_axes(member, end, jump);
+                    sum.iter_mut().zip(jump).for_each(|(own, part)| *own += part);
+                }
+                Ok(sum)
             }
         }
     }
@@ -117,7 +153,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub(super) fn imbalance(&self) -> f64 {
         let nodes = self.system.sizes()[0];
         let length = longest(self.system);
-        let size = |forces: &[S; 3]| size_of_forces(forces, length);
+        let size = |forces: &Six<S>| size_on_node(forces, length);
         let mut largest = self.motion.largest_force(length);
         let mut worst = 0.0_f64;
         let reactions = self.reactions();
@@ -133,15 +169,15 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// λ² times the mass matrix of the body of a node.
-    fn inertia(&self, node: usize) -> [[S; 3]; 3] {
+    fn inertia(&self, node: usize) -> [Six<S>; 6] {
         let lambda_squared = self.x.lambda_squared();
         self.system.node(node).0.mass_matrix::<S>().map(|row| row.map(|entry| lambda_squared * entry))
     }
 
     /// What supports do to their nodes: the inertia of bodies less the forces of members and the load.
-    pub(super) fn reactions(&self) -> PerNode<Y, [S; 3]> {
+    pub(super) fn reactions(&self) -> PerNode<Y, Six<S>> {
         let [nodes, members] = self.system.sizes();
-        let mut reactions = self.system.per_node([S::zero(); 3]);
+        let mut reactions = self.system.per_node([S::zero(); 6]);
         let sums = reactions.as_mut();
         for (node, (sum, displacements)) in sums.iter_mut().zip(self.motion.nodes.as_ref()).enumerate().take(nodes) {
             for (entry, row) in sum.iter_mut().zip(self.inertia(node)) {
@@ -153,12 +189,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         for (member, ends) in self.motion.members.as_ref()[..members].iter().enumerate() {
             let placement = self.system.placement(member);
             for (end, motion) in ends.iter().enumerate() {
-                let [force_x, force_y, moment] = self.in_global_axes(member, end, motion.forces);
-                let [x, y] = placement.offset::<S>(end);
+                let forces = at_node(self.in_global_axes(member, end, motion.forces), placement.offset::<S>(end));
                 let sum = &mut sums[placement.node_of(end)];
-                sum[0] += force_x;
-                sum[1] += force_y;
-                sum[2] += moment + x * force_y - y * force_x;
+                sum.iter_mut().zip(forces).for_each(|(entry, force)| *entry += force);
             }
         }
         if let Some(load) = self.load {
@@ -178,21 +211,42 @@ pub(super) fn check<Y: Placed>(system: &Y, entry: PlaneEntry<Y::Model>) -> Resul
     match entry.quantity {
         Quantity::Displacement(site, axis) => check_freedom(system, site, axis),
         Quantity::Reaction(site, axis) => held_at::<Y, Y::Parameter>(system, site, axis).map(|_| ()),
-        Quantity::Internal { member, force, .. } => {
-            let member = system.member_of(member)?;
-            let freedom = Freedoms::SINGLE[force];
-            let is_carried = system.placement(member).freedoms.contains(freedom);
-            if is_carried { Ok(()) } else { Err(MotionError::NoSuchFreedom { freedom }) }
-        }
+        Quantity::Internal { member, force, .. } => internal(system, member, force).map(|_| ()),
     }
+}
+
+/// The place of the moment about y among the internal forces of a member in space.
+const MOMENT_Y: usize = 5;
+
+/// The freedoms of a member whose forces are its internal forces, part by part.
+const INTERNAL: [Freedoms; 9] = [
+    Freedoms::X,
+    Freedoms::Y,
+    Freedoms::RZ,
+    Freedoms::X,
+    Freedoms::Z,
+    Freedoms::RY,
+    Freedoms::X,
+    Freedoms::Y,
+    Freedoms::RX,
+];
+
+/// The part of a member that has an internal force.
+///
+/// # Errors
+/// [`MotionError::NoSuchFreedom`] where none has; as [`Placed::member_of`] besides.
+pub(super) fn internal<Y: Placed>(system: &Y, member: Handle, force: usize) -> Result<usize, MotionError> {
+    let of_part = Freedoms::SINGLE[force % 3];
+    let part = system.part_of(member, force / 3)?.filter(|part| system.placement(*part).freedoms.contains(of_part));
+    part.ok_or(MotionError::NoSuchFreedom { freedom: INTERNAL[force] })
 }
 
 /// Where a point is in a structure.
 pub(super) enum Seen {
     /// At a place that a node ties rigidly.
     Tied(Tied),
-    /// Where a member ends.
-    End { member: usize, end: usize },
+    /// Where a member of some parts ends.
+    End { parts: Range<usize>, end: usize },
 }
 
 /// Where a point is in a structure.
@@ -201,7 +255,7 @@ pub(super) enum Seen {
 /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a point that this structure has not got.
 pub(super) fn located<Y: Placed>(system: &Y, site: Site) -> Result<Seen, MotionError> {
     let tied = match site {
-        Site::End { member, end } => return Ok(Seen::End { member: system.member_of(member)?, end }),
+        Site::End { member, end } => return Ok(Seen::End { parts: system.parts_of(member)?, end }),
         Site::Point(point) => system.point(point)?,
         Site::Tied(tied) => tied,
     };
@@ -214,16 +268,18 @@ pub(super) fn located<Y: Placed>(system: &Y, site: Site) -> Result<Seen, MotionE
 
 /// Whether elements bring a motion to a point.
 pub(super) fn check_freedom<Y: Placed>(system: &Y, site: Site, axis: usize) -> Result<(), MotionError> {
-    let freedom = Freedoms::SINGLE[axis];
+    let freedom = Freedoms::EACH[axis];
     match located(system, site)? {
         Seen::Tied(Tied { freedoms, .. }) if !freedoms.contains(freedom) => Err(MotionError::NoSuchFreedom { freedom }),
-        // an end moves as its point does, and turns where the member does
-        Seen::End { member, .. }
-            if freedom.is(Freedoms::RZ) && !system.placement(member).freedoms.contains(freedom) =>
-        {
-            Err(MotionError::NoSuchFreedom { freedom })
+        Seen::Tied(_) => Ok(()),
+        Seen::End { mut parts, .. } => {
+            let is_in_plane = system.placement(parts.start).plane() == MemberPlane::Structure;
+            // an end moves as its point does, and turns where the member does
+            let turns = ROTATIONS.contains(&axis);
+            let is_there = !turns || parts.any(|part| system.placement(part).freedoms.contains(Freedoms::RZ));
+            let is_beyond = is_in_plane && !Freedoms::PLANE.contains(freedom);
+            if is_there && !is_beyond { Ok(()) } else { Err(MotionError::NoSuchFreedom { freedom }) }
         }
-        _ => Ok(()),
     }
 }
 
@@ -235,8 +291,8 @@ pub(super) fn held_at<Y: Placed, S: Frequency<Y::Parameter>>(
     system: &Y,
     site: Site,
     axis: usize,
-) -> Result<(usize, [S; 3]), MotionError> {
-    let freedom = Freedoms::SINGLE[axis];
+) -> Result<(usize, Six<S>), MotionError> {
+    let freedom = Freedoms::EACH[axis];
     let not_held = MotionError::NotHeld { freedom };
     let hold = match located(system, site)? {
         Seen::Tied(tied) => tied.hold,
@@ -247,8 +303,8 @@ pub(super) fn held_at<Y: Placed, S: Frequency<Y::Parameter>>(
 }
 
 /// Where a place is from the node that ties it; none is its own.
-pub(super) fn offset<Y: Placed, S: Frequency<Y::Parameter>>(system: &Y, node: usize, place: Option<usize>) -> [S; 2] {
-    let Some(place) = place else { return [S::zero(); 2] };
+pub(super) fn offset<Y: Placed, S: Frequency<Y::Parameter>>(system: &Y, node: usize, place: Option<usize>) -> [S; 3] {
+    let Some(place) = place else { return [S::zero(); 3] };
     let (to, from) = (system.place(place), system.node(node).0.position);
-    [0, 1].map(|k| S::from_parameter(to[k]) - S::from_parameter(from[k]))
+    difference(from.map(S::from_parameter), to.map(S::from_parameter))
 }

@@ -65,7 +65,7 @@ pub(crate) trait ChartedAcross<S: Scalar>: Element {
 
 /// The freedoms of a beam, with that along it or without, and the places of deflection and rotation of both ends among them.
 pub(crate) fn freedoms_of_beam(stretches: bool) -> (Freedoms, [usize; 4]) {
-    if stretches { (Freedoms::ALL, [1, 2, 4, 5]) } else { (Freedoms::Y.union(Freedoms::RZ), [0, 1, 2, 3]) }
+    if stretches { (Freedoms::PLANE, [1, 2, 4, 5]) } else { (Freedoms::Y.union(Freedoms::RZ), [0, 1, 2, 3]) }
 }
 
 /// The line along a beam.

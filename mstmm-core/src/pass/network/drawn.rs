@@ -3,10 +3,11 @@
 use crate::element::MemberElement;
 use crate::model::{MemberEnd, MemberLabel, PlanePoint, Spot, plain};
 use crate::number::{Parameter, Real};
-use crate::pass::network::member::Placement;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::node::Node;
+use crate::pass::network::node::flat;
 use crate::pass::network::placed::Placed;
+use crate::pass::network::placed_node::PlacedNode;
+use crate::pass::network::placement::Placement;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
 use crate::pass::network::structure::{InNetwork, Network};
 use mstmm_plan::Freedoms;
@@ -114,8 +115,8 @@ impl<M, T: Real> DrawnEnd<M, T> {
         let has_direction = point.is_some() && !placement.freedoms.is(Freedoms::RZ);
         DrawnEnd {
             point,
-            position: point.map(|_| placement.place_of(end)),
-            along: placement.along(end).filter(|_| has_direction),
+            position: point.map(|_| flat(placement.place_of(end))),
+            along: placement.along(end).filter(|_| has_direction).map(flat),
             released: placement.released(end),
             node: placement.node_of(end),
             rests: placement.rests(end),
@@ -179,9 +180,9 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
     fn points(&self) -> impl Iterator<Item = DrawnPoint<InNetwork, E::Parameter>> {
         self.nodes().iter().enumerate().map(|(index, node)| DrawnPoint {
             name: Spot::Node(index),
-            position: node.position,
+            position: flat(node.position),
             node: index,
-            freedoms: Freedoms::ALL,
+            freedoms: Freedoms::PLANE,
             label: PlanePoint::node(index),
         })
     }
@@ -199,20 +200,21 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
         with_body.map(|(index, node)| DrawnBody {
             name: Spot::Node(index),
             mass: node.mass,
-            inertia: node.inertia,
-            centre: Some(node.centre),
+            inertia: node.about_z(),
+            centre: Some(flat(node.centre)),
             node: index,
         })
     }
 
     fn supports(&self) -> impl Iterator<Item = DrawnSupport<E::Parameter>> {
-        let held = |node: &Node<_>| !node.held.is_empty() || node.along.is_some();
-        self.nodes().iter().enumerate().filter(move |(_, node)| held(node)).map(|(index, node)| DrawnSupport {
+        let held = |node: &PlacedNode<_>| node.held.intersection(Freedoms::PLANE);
+        let is_held = move |node: &PlacedNode<_>| !held(node).is_empty() || node.skew.is_some();
+        self.nodes().iter().enumerate().filter(move |(_, node)| is_held(node)).map(move |(index, node)| DrawnSupport {
             name: Spot::Node(index),
             point: index,
-            position: node.position,
-            held: node.held,
-            along: node.along,
+            position: flat(node.position),
+            held: held(node),
+            along: node.skew.map(|skew| flat(*skew.direction())),
         })
     }
 }

@@ -3,7 +3,7 @@
 use crate::number::{Frequency, FrequencyPowers, Scaled};
 use crate::pass::network::loading::Loading;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::node::Shared;
+use crate::pass::network::motions::Shared;
 use crate::pass::network::placed::{ChartsOfEqual, Placed, PlacedCharts};
 use crate::structure::{Factor, MemberStiffness, NodeUnknowns, StructureScalar, Total, with_many};
 use crate::subspace::RootCounter;

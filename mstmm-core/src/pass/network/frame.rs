@@ -1,7 +1,8 @@
-//! The axes and the place of the end of a member, as its node sees them.
+//! The axes and the place of the end of a member in the plane, as its node sees them.
 
 use crate::element::PathState;
-use crate::number::Scalar;
+use crate::number::{Frequency, Real, Scalar};
+use crate::pass::network::placement::Placement;
 
 /// Where an end of a member is from its node, and the direction of its x axis.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +12,15 @@ pub(super) struct Frame<S> {
 }
 
 impl<S: Scalar> Frame<S> {
+    /// The frame of an end.
+    pub(super) fn of<T: Real>(placement: &Placement<T>, end: usize) -> Self
+    where
+        S: Frequency<T>,
+    {
+        let ([c, s, _], [x, y, _]) = (placement.axes(end).along, placement.offset(end));
+        Frame { axis: [c, s], offset: [x, y] }
+    }
+
     /// The axes of the plane at the node itself.
     pub(super) fn of_node() -> Self {
         Frame { axis: [S::one(), S::zero()], offset: [S::zero(); 2] }
@@ -35,7 +45,7 @@ impl<S: Scalar> Frame<S> {
 }
 
 /// The displacements of a place that is tied to a node at a distance.
-pub(crate) fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
+fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
     [x - rotation * to_y, y + rotation * to_x, rotation]
 }
 
@@ -45,17 +55,6 @@ fn moment_moved<S: Scalar>([x, y, moment]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 
 }
 
 /// A vector in axes that lead along a direction.
-pub(crate) fn turned<S: Scalar>([x, y, about_z]: [S; 3], [c, s]: [S; 2]) -> [S; 3] {
+fn turned<S: Scalar>([x, y, about_z]: [S; 3], [c, s]: [S; 2]) -> [S; 3] {
     [c * x + s * y, c * y - s * x, about_z]
-}
-
-/// The length of a vector.
-pub(super) fn norm<S: Scalar>([x, y]: [S; 2]) -> S {
-    (x * x + y * y).sqrt()
-}
-
-/// The direction of a vector.
-pub(super) fn unit<S: Scalar>(vector: [S; 2]) -> [S; 2] {
-    let size = norm(vector);
-    vector.map(|part| part / size)
 }

@@ -2,8 +2,9 @@
 
 use crate::model::SpreadLoad;
 use crate::number::{Frequency, FrequencyPowers, Real, Scalar, Size};
-use crate::pass::network::member::Placement;
 use crate::pass::network::placed::Placed;
+use crate::pass::network::placement::Placement;
+use crate::pass::network::vector::Six;
 use crate::structure::{Chart, MOST_VARIABLES};
 use crate::structure::{LoadEverywhere, MemberLoad, Units};
 
@@ -11,8 +12,8 @@ use crate::structure::{LoadEverywhere, MemberLoad, Units};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LoadAt<S> {
     pub(crate) node: usize,
-    pub(crate) forces: [S; 3],
-    pub(crate) moved: Option<[S; 3]>,
+    pub(crate) forces: Six<S>,
+    pub(crate) moved: Option<Six<S>>,
 }
 
 /// A load of a response.
@@ -24,7 +25,7 @@ pub(crate) enum ActingLoad<S> {
 
 impl<S: Scalar> ActingLoad<S> {
     /// The forces x and y and the moment on a node; a weight acts in the mass centre of its body.
-    pub(crate) fn on_node<Y: Placed>(&self, network: &Y, node: usize) -> Option<[S; 3]>
+    pub(crate) fn on_node<Y: Placed>(&self, network: &Y, node: usize) -> Option<Six<S>>
     where
         S: Frequency<Y::Parameter>,
     {
@@ -33,7 +34,7 @@ impl<S: Scalar> ActingLoad<S> {
             ActingLoad::Spread(SpreadLoad { member: Some(_), .. }) => None,
             ActingLoad::Spread(SpreadLoad { member: None, axis }) => {
                 let body = network.node(node).0;
-                let mut lifted = [S::zero(); 3];
+                let mut lifted = [S::zero(); 6];
                 lifted[*axis] = S::one();
                 body.has_body().then(|| body.momentum(lifted))
             }
@@ -72,7 +73,7 @@ impl<S: Scalar> Loading<'_, S> {
     }
 
     /// The forces on the motions of a node. A body resists the motion of its support.
-    pub(super) fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> [S; 3]
+    pub(super) fn on_node<Y: Placed>(&self, network: &Y, node: usize, at: &FrequencyPowers<S>) -> Six<S>
     where
         S: Frequency<Y::Parameter>,
     {
@@ -80,7 +81,7 @@ impl<S: Scalar> Loading<'_, S> {
             Loading::Everywhere(_) | Loading::Nothing => None,
             Loading::Acting(load, _) => load.on_node(network, node),
         };
-        let Some(mut forces) = acting else { return [S::zero(); 3] };
+        let Some(mut forces) = acting else { return [S::zero(); 6] };
         let (body, motions) = network.node(node);
         if let Some(moved) = self.moved(node) {
             for (force, momentum) in forces.iter_mut().zip(body.momentum(moved)) {
@@ -96,7 +97,7 @@ impl<S: Scalar> Loading<'_, S> {
     }
 
     /// By what its support moves a node.
-    pub(super) fn moved(&self, node: usize) -> Option<[S; 3]> {
+    pub(super) fn moved(&self, node: usize) -> Option<Six<S>> {
         match self {
             Loading::Acting(ActingLoad::At(load), _) if load.node == node => load.moved,
             _ => None,

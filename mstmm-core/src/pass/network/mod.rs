@@ -10,6 +10,7 @@ mod loading;
 mod member;
 mod memory;
 mod motion;
+mod motions;
 mod node;
 mod numbers;
 mod order;
@@ -17,6 +18,8 @@ mod overall;
 mod overall_network;
 mod own;
 mod placed;
+mod placed_node;
+mod placement;
 mod products;
 mod skeleton;
 mod sketch;
@@ -25,25 +28,32 @@ mod structure;
 #[cfg(test)]
 mod tests;
 mod ties;
+pub(crate) mod vector;
 mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::network_pass;
-pub(crate) use frame::{moved, turned};
 pub use frequency::{MovingNetwork, PlaneFrequency};
 pub(crate) use loading::{ActingLoad, LoadAt, Loading};
-pub use member::{End, Member, Placement};
+pub use member::{End, Member};
 #[cfg(feature = "std")]
 pub use memory::Vectors;
 pub use memory::{Arrays, Memory};
-pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_of_forces};
-pub use node::{Motions, Node};
+pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_on_node};
+pub use motions::Motions;
+pub use node::Node;
+#[cfg(feature = "std")]
+pub(crate) use node::flat;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;
 pub use placed::{PerMember, PerNode, Placed, PlacedCharts, PlacedMotions};
+pub use placed_node::PlacedNode;
+pub use placement::Placement;
+#[cfg(feature = "std")]
+pub(crate) use placement::SpatialEnd;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
@@ -51,7 +61,7 @@ pub use sketch::{
     SketchedSupport,
 };
 pub use stiffness::StiffnessModel;
-#[cfg(feature = "std")]
-pub(crate) use structure::is_direction;
 pub use structure::{InNetwork, Network};
+#[cfg(feature = "std")]
+pub(crate) use structure::{Part, is_direction};
 pub use visit::visit_network;

@@ -7,13 +7,14 @@ use crate::pass::network::loading::Loading;
 use crate::pass::network::memory::Memory;
 use crate::pass::network::placed::{PerMember, PerNode, Placed, PlacedCharts};
 use crate::pass::network::ties::{Solved, joints};
+use crate::pass::network::vector::{Six, displacements, rotations};
 use crate::structure::{Factor, LOADS, MemberStiffness, NodeUnknowns, StructureScalar, with_many};
 
 /// The motion of a network.
 #[derive(Debug)]
 pub(crate) struct NetworkMotion<Y: Placed, S: Scalar> {
-    /// Displacements x \[m\], y \[m\] and rotation \[rad\] of each node.
-    pub(crate) nodes: PerNode<Y, [S; 3]>,
+    /// Displacements \[m\] and rotations \[rad\] of each node.
+    pub(crate) nodes: PerNode<Y, Six<S>>,
     /// Displacements and forces of both ends of each member.
     pub(crate) members: PerMember<Y, [EndMotion<S>; 2]>,
     /// The work of the load on the motion: the sum of forces times displacements.
@@ -30,7 +31,7 @@ impl<Y: Placed, S: Scalar> Clone for NetworkMotion<Y, S> {
 
 impl<Y: Placed, S: Scalar> Copy for NetworkMotion<Y, S>
 where
-    PerNode<Y, [S; 3]>: Copy,
+    PerNode<Y, Six<S>>: Copy,
     PerMember<Y, [EndMotion<S>; 2]>: Copy,
 {
 }
@@ -114,7 +115,7 @@ where
     S: Frequency<Y::Parameter> + StructureScalar,
 {
     let (order, [node_count, member_count]) = (network.order(), network.sizes());
-    let (mut nodes, mut members) = (network.per_node([S::zero(); 3]), network.per_member([EndMotion::at_rest(); 2]));
+    let (mut nodes, mut members) = (network.per_node([S::zero(); 6]), network.per_member([EndMotion::at_rest(); 2]));
     for (node, displacements) in nodes.as_mut().iter_mut().enumerate().take(node_count) {
         let of_node = &unknowns[node];
         *displacements = network.node(node).1.displacements(factor.values_of(of_node, load));
@@ -149,21 +150,30 @@ pub(crate) fn longest<Y: Placed>(network: &Y) -> f64 {
 }
 
 /// The size of two forces and a moment, which counts by a length.
-pub(crate) fn size_of_forces<S: Scalar>(forces: &[S; 3], length: f64) -> f64 {
+fn size_of_forces<S: Scalar>(forces: &[S; 3], length: f64) -> f64 {
     let [x, y, moment] = forces.map(|force| force.size().first());
     x.max(y).max(moment / length)
+}
+
+/// The size of the forces and the moments on a node, which count by a length.
+pub(crate) fn size_on_node<S: Scalar>(forces: &Six<S>, length: f64) -> f64 {
+    let largest = |three: [S; 3]| three.into_iter().map(|part| part.size().first()).fold(0.0, f64::max);
+    largest(displacements(*forces)).max(largest(rotations(*forces)) / length)
 }
 
 impl<Y: Placed, S: Scalar> NetworkMotion<Y, S> {
     /// Each number of this motion and of another one through a function.
     fn with<R: Scalar>(&self, other: &Self, change: impl Fn(S, S) -> R, work: R) -> NetworkMotion<Y, R> {
         let three = |one: [S; 3], other: [S; 3]| [0, 1, 2].map(|k| change(one[k], other[k]));
-        let ([of_nodes, of_members], zero) = ([self.nodes.as_ref().len(), self.members.as_ref().len()], [R::zero(); 3]);
+        let ([of_nodes, of_members], zero) = ([self.nodes.as_ref().len(), self.members.as_ref().len()], [R::zero(); 6]);
         let mut nodes = Y::Memory::per_node(of_nodes, zero);
         for (changed, (one, other)) in
             nodes.as_mut().iter_mut().zip(self.nodes.as_ref().iter().zip(other.nodes.as_ref()))
         {
-            *changed = three(*one, *other);
+            changed
+                .iter_mut()
+                .zip(one.iter().zip(other))
+                .for_each(|(changed, (one, other))| *changed = change(*one, *other));
         }
         let mut members = Y::Memory::per_member(of_members, [EndMotion::at_rest(); 2]);
         for (changed, (one, other)) in

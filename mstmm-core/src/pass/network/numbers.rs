@@ -2,6 +2,7 @@
 
 use crate::model::{ParameterError, Requirement};
 use crate::number::Parameter;
+use crate::pass::network::node::in_space;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
 
 /// The numbers of a sketch by what they are: places, directions, and mass, inertia and mass centre of bodies.
@@ -20,9 +21,9 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         Numbers { places: places.as_chunks().0, directions: directions.as_chunks().0, bodies: bodies.as_chunks().0 }
     }
 
-    /// The coordinates of a place, from the list of numbers.
-    pub fn place<T: Parameter>(&self, list: &[f64], place: usize) -> [T; 2] {
-        self.numbers(list).place(place)
+    /// The coordinates of a place in space, from the list of numbers.
+    pub fn place<T: Parameter>(&self, list: &[f64], place: usize) -> [T; 3] {
+        in_space(self.numbers(list).place(place))
     }
 }
 

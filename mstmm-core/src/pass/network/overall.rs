@@ -1,9 +1,11 @@
 //! The overall transfer equation of a network: one unknown after the other along the paths from the tips to the root.
 
 use crate::element::{MemberTransfer, PathState};
+use crate::model::Skew;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::frame::Frame;
 use crate::pass::network::placed::{PerMember, PerNode, Placed};
+use crate::pass::network::vector::{six, unit};
 use crate::pass::overall::determinant::determinant;
 use core::mem::replace;
 use mstmm_plan::{Freedoms, PathNode};
@@ -100,7 +102,7 @@ impl<S: Single> Link<S> {
             nodes,
             freedoms: placement.freedoms,
             released: [0, 1].map(|end| placement.released(end).intersection(placement.freedoms)),
-            frames: [0, 1].map(|end| Frame { axis: placement.axis(end), offset: placement.offset(end) }),
+            frames: [0, 1].map(|end| Frame::of(placement, end)),
             transfer: if is_reversed { transfer.reversed() } else { transfer },
             is_cut: !leaves && !is_reversed,
         }
@@ -180,7 +182,8 @@ where
             }
         }
         self.nodes.as_mut()[node].displacements = state.displacements;
-        let momentum = self.network.node(node).0.momentum(state.displacements);
+        let [x, y, rotation] = state.displacements;
+        let momentum = self.network.node(node).0.momentum(six([x, y, S::zero()], [S::zero(), S::zero(), rotation]));
         for (force, momentum) in state.forces.iter_mut().zip(momentum) {
             *force -= self.lambda_squared * momentum;
         }
@@ -200,7 +203,8 @@ where
         let (support, _) = self.network.node(node);
         let mut tip = PathState::zero();
         let mut in_axes = path.freedoms;
-        if let Some([c, s]) = support.direction::<S>() {
+        if let Some(Skew::Along(direction)) = support.skew {
+            let [c, s, _] = unit(direction.map(S::from_parameter));
             let [along, across] = [self.unknown(), self.unknown()];
             tip.displacements = [c * along, s * along, S::zero()];
             tip.forces = [-s * across, c * across, S::zero()];

@@ -68,8 +68,8 @@ impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
             let here = members.iter().filter(|member| member.nodes.contains(&index));
             let brought = here.fold(Freedoms::NONE, |sum, member| sum.union(in_plane(member.freedoms)));
             let node = network.node(index).0;
-            let freedoms = Freedoms::ALL.without(node.held).union(brought);
-            *path = PathNode::new(freedoms, node.held, node.along.is_some());
+            let freedoms = Freedoms::PLANE.without(node.held).union(brought);
+            *path = PathNode::new(freedoms, node.held.intersection(Freedoms::PLANE), node.skew.is_some());
         }
         lead_paths(nodes, members);
         match unknowns(nodes, members) {

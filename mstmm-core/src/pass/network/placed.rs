@@ -4,12 +4,13 @@ use crate::element::{MemberNumbers, VisitMember};
 use crate::model::{Handle, MotionError, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
 use crate::pass::characteristic::System;
-use crate::pass::network::member::Placement;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::node::{Motions, Node};
-
+use crate::pass::network::motions::Motions;
+use crate::pass::network::placed_node::PlacedNode;
+use crate::pass::network::placement::Placement;
 use crate::structure::Chart;
 use core::fmt::Debug;
+use core::ops::Range;
 use mstmm_plan::NetworkOrder;
 
 /// A network as its evaluation reads it.
@@ -18,7 +19,7 @@ pub trait Placed: System {
     type Model;
 
     /// A node and its motions.
-    fn node(&self, node: usize) -> (&Node<Self::Parameter>, &Motions<Self::Parameter>);
+    fn node(&self, node: usize) -> (&PlacedNode<Self::Parameter>, &Motions<Self::Parameter>);
 
     /// Where a member stands.
     fn placement(&self, member: usize) -> &Placement<Self::Parameter>;
@@ -27,7 +28,7 @@ pub trait Placed: System {
     fn numbers(&self) -> &[MemberNumbers];
 
     /// A place that rigid bodies tie.
-    fn place(&self, place: usize) -> [Self::Parameter; 2];
+    fn place(&self, place: usize) -> [Self::Parameter; 3];
 
     /// The node of a point of a list or of a frame, with its place and its support.
     ///
@@ -43,6 +44,22 @@ pub trait Placed: System {
     /// [`MotionError::NoSuchPoint`] and [`MotionError::OtherFrame`] for a member that it has not got.
     fn member_of(&self, member: Handle) -> Result<usize, MotionError> {
         of_list(member, self.sizes()[1])
+    }
+
+    /// The parts of a member, by their indices: one in a plane structure.
+    ///
+    /// # Errors
+    /// As [`member_of`](Placed::member_of).
+    fn parts_of(&self, member: Handle) -> Result<Range<usize>, MotionError> {
+        self.member_of(member).map(|member| member..member + 1)
+    }
+
+    /// The part of a member in a plane, 0 that of x and y or its only one, 1 that of x and z, 2 its rotation about x; none where it has none.
+    ///
+    /// # Errors
+    /// As [`member_of`](Placed::member_of).
+    fn part_of(&self, member: Handle, part: usize) -> Result<Option<usize>, MotionError> {
+        Ok(self.parts_of(member)?.find(|own| self.placement(*own).part() == part))
     }
 
     /// What errors call a node.

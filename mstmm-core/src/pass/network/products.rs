@@ -7,6 +7,7 @@ use crate::pass::characteristic::System;
 use crate::pass::network::frequency::{MovingNetwork, PlaneFrequency};
 use crate::pass::network::motion::NetworkMotion;
 use crate::pass::network::placed::{PerMember, PlacedCharts};
+use crate::pass::network::vector::Six;
 use crate::structure::{Chart, MOST_VARIABLES};
 use mstmm_plan::Freedoms;
 
@@ -64,7 +65,7 @@ where
 {
     let nodes = first.nodes.as_ref().iter().zip(second.nodes.as_ref());
     let of_node =
-        |(node, (first, second)): (usize, (&[S; 3], &[S; 3]))| network.node(node).0.mass_form(*first, *second);
+        |(node, (first, second)): (usize, (&Six<S>, &Six<S>))| network.node(node).0.mass_form(*first, *second);
     nodes.enumerate().take(network.sizes()[0]).map(of_node).fold(S::zero(), |sum, form| sum + form)
 }
 

@@ -1,12 +1,15 @@
 //! The nodes of a sketched network and the placements of its members, with numbers.
 
 use crate::element::{Element, MemberNumbers, build};
-use crate::model::{FrequencyEstimates, ParameterError};
+use crate::model::{FrequencyEstimates, MemberPlane, ParameterError};
 use crate::number::Real;
-use crate::pass::network::member::{End, Placement};
+use crate::pass::network::member::End;
 use crate::pass::network::memory::Arrays;
-use crate::pass::network::node::{Motions, Node};
+use crate::pass::network::motions::Motions;
+use crate::pass::network::node::{Node, in_space};
 use crate::pass::network::numbers::Numbers;
+use crate::pass::network::placed_node::PlacedNode;
+use crate::pass::network::placement::Placement;
 use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::ties::tie;
@@ -15,7 +18,7 @@ use mstmm_plan::NetworkOrder;
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
 #[derive(Clone, Debug)]
 pub struct Skeleton<T, const NODES: usize, const MEMBERS: usize> {
-    nodes: [Node<T>; NODES],
+    nodes: [PlacedNode<T>; NODES],
     motions: [Motions<T>; NODES],
     placements: [Placement<T>; MEMBERS],
     /// Nodes and members in numbers, for searches at many frequencies at once.
@@ -34,11 +37,12 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
             // a motion of a path has any place
             let place = node.place.map_or([T::zero(); 2], |place| numbers.place(place));
             let own = Node::at(place).held(node.held);
-            node.along.map_or(own, |direction| own.along(numbers.direction(direction)))
+            PlacedNode::from(node.along.map_or(own, |direction| own.along(numbers.direction(direction))))
         });
         for (index, body) in sketch.bodies.iter().enumerate() {
             let [mass, inertia, x, y] = numbers.body(index);
-            nodes[body.node] = nodes[body.node].and_body(mass, inertia, [x, y]);
+            let (zero, centre) = (T::zero(), in_space([x, y]));
+            nodes[body.node] = nodes[body.node].and_body(mass, [zero, zero, inertia, zero, zero, zero], centre);
         }
         let mut motions = nodes.each_ref().map(Motions::of);
         for (motions, node) in motions.iter_mut().zip(&sketch.nodes) {
@@ -46,10 +50,10 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
         }
         let mut placements = [Placement::nowhere(); MEMBERS];
         for (placement, member) in placements.iter_mut().zip(&sketch.members) {
-            let ends = [0, 1].map(|end| joined(sketch, &numbers, member, end));
-            let [from, to] = [0, 1].map(|k| ends[k].node);
+            let ends = [0, 1].map(|end| joined(sketch, &numbers, member, end).into());
+            let [from, to] = member.ends.each_ref().map(|end| sketch.node_of(end));
             let at_nodes = ([&nodes[from], &nodes[to]], [&motions[from], &motions[to]]);
-            *placement = Placement::new(member.freedoms, [&ends[0], &ends[1]], at_nodes.0, at_nodes.1);
+            *placement = Placement::new((member.freedoms, MemberPlane::Structure), &ends, at_nodes.0, at_nodes.1);
             numbers.check_distance(sketch, member, placement.own_length().to_f64())?;
         }
         let mut stiffness = StiffnessRoom::new([NODES, MEMBERS]);
@@ -86,7 +90,7 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
 
 impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBERS> {
     /// A node and its motions.
-    pub fn node(&self, node: usize) -> (&Node<T>, &Motions<T>) {
+    pub fn node(&self, node: usize) -> (&PlacedNode<T>, &Motions<T>) {
         (&self.nodes[node], &self.motions[node])
     }
 
@@ -130,7 +134,7 @@ fn joined<T: Real, const NODES: usize, const MEMBERS: usize>(
 }
 
 /// Adds bodies to the estimates: a loop, which would stand in line for each number of nodes.
-fn estimate_nodes<T: Real>(nodes: &[Node<T>], estimates: &mut FrequencyEstimates) {
+fn estimate_nodes<T: Real>(nodes: &[PlacedNode<T>], estimates: &mut FrequencyEstimates) {
     nodes.iter().for_each(|node| node.estimate(estimates));
 }
 

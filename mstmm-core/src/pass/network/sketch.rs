@@ -238,7 +238,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
 impl SketchedNode {
     /// The motions that its supports leave.
     const fn motions(&self) -> usize {
-        let free = Freedoms::ALL.without(self.held);
+        let free = Freedoms::PLANE.without(self.held);
         match self.along {
             Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
             None => free.count(),

@@ -5,19 +5,22 @@ use crate::element::{
 };
 #[cfg(feature = "std")]
 use crate::element::{MemberSlopes, MemberWork};
-use crate::model::{FrequencyEstimates, Spot, is_size_of_direction};
+use crate::model::{FrequencyEstimates, MemberPlane, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::network_pass;
-use crate::pass::network::member::{End, Member, Placement, is_finite};
+use crate::pass::network::member::Member;
 #[cfg(feature = "std")]
 use crate::pass::network::memory::Vectors;
 use crate::pass::network::memory::{Arrays, Memory};
-use crate::pass::network::node::{Motions, Node};
+use crate::pass::network::motions::Motions;
+use crate::pass::network::node::Node;
 use crate::pass::network::order::Order;
 use crate::pass::network::overall::PlacedTransfers;
 use crate::pass::network::placed::{Placed, PlacedCharts, PlacedMotions};
+use crate::pass::network::placed_node::{PlacedNode, XYZ};
+use crate::pass::network::placement::{Placement, SpatialEnd, is_finite};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::ties::tie;
 use crate::pass::network::visit::visit_network;
@@ -60,7 +63,7 @@ pub enum InNetwork {}
 #[derive(Clone, Debug)]
 pub struct Network<E: MemberElement, M: Memory> {
     sizes: [usize; 2],
-    nodes: M::PerNode<Node<E::Parameter>>,
+    nodes: M::PerNode<PlacedNode<E::Parameter>>,
     motions: M::PerNode<Motions<E::Parameter>>,
     members: M::PerMember<Option<E::Built>>,
     /// What each member is.
@@ -107,21 +110,27 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     /// Builds a network in memory that has room for it.
     fn build(nodes: &[Node<E::Parameter>], members: &[Member<E>]) -> Result<Self, NetworkError> {
         let mut first = None;
-        let built = Self::with_paths(nodes, members, |_| false, |error| first = first.or(Some(error)));
+        let origin = PlacedNode::at([<E::Parameter as Scalar>::from_f64(0.0); 3]);
+        let mut own_nodes = M::per_node(nodes.len(), origin);
+        own_nodes.as_mut().iter_mut().zip(nodes).for_each(|(own, node)| *own = (*node).into());
+        let nodes = &own_nodes.as_ref()[..nodes.len()];
+        let part = |index: usize| Part::from(members[index]);
+        let built = Self::with_paths(nodes, (members.len(), part), |_| false, |error| first = first.or(Some(error)));
         built.ok_or(first.unwrap_or(NetworkError::Empty))
     }
 
     /// Builds a network some of whose nodes are motions of paths. What is wrong with it is refused: each node, and each member whose nodes are right.
     pub(crate) fn with_paths(
-        nodes: &[Node<E::Parameter>],
-        members: &[Member<E>],
+        nodes: &[PlacedNode<E::Parameter>],
+        (member_count, part): (usize, impl Fn(usize) -> Part<E>),
         is_of_path: impl Fn(usize) -> bool,
         mut refuse: impl FnMut(NetworkError),
     ) -> Option<Self> {
-        if members.is_empty() {
+        if member_count == 0 {
             refuse(NetworkError::Empty);
         }
-        let sizes @ [node_count, member_count] = [nodes.len(), members.len()];
+        let node_count = nodes.len();
+        let sizes = [node_count, member_count];
         let mut motions = M::per_node(node_count, Motions::none());
         let mut stiffness = StiffnessRoom::new(sizes);
         let mut wrong_nodes = M::per_node(node_count, false);
@@ -137,12 +146,13 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let mut built = M::per_member(member_count, None);
         let mut kinds = M::per_member(member_count, "");
         let mut placements = M::per_member(member_count, Placement::nowhere());
-        for (index, member) in members.iter().enumerate() {
+        for index in 0..member_count {
+            let member = part(index);
             // what is wrong with a node is said once
             if member.ends.iter().any(|end| wrong_nodes.as_ref().get(end.node) == Some(&true)) {
                 continue;
             }
-            match build_placed(index, member, nodes, motions.as_ref()) {
+            match build_placed(index, &member, nodes, motions.as_ref()) {
                 Ok((element, placement)) => {
                     stiffness.set_member(index, E::member_numbers(&element), &placement);
                     built.as_mut()[index] = Some(element);
@@ -153,17 +163,18 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
             }
         }
         let all_built = built.as_ref()[..member_count].iter().all(Option::is_some);
-        if members.is_empty() || !all_built || wrong_nodes.as_ref().contains(&true) {
+        if member_count == 0 || !all_built || wrong_nodes.as_ref().contains(&true) {
             return None;
         }
         let rests = |node: usize| motions.as_ref()[node].count == 0;
-        let order = Order::of(sizes, |member| members[member].ends.map(|end| end.node), rests)
+        let order = Order::of(sizes, |member| part(member).ends.map(|end| end.node), rests)
             .map_err(|node| refuse(NetworkError::Apart { node }))
             .ok()?;
         stiffness.arrange(&order.get());
         let ends = &mut placements.as_mut()[..member_count];
         tie(&mut motions.as_mut()[..node_count], ends, stiffness.numbers());
-        let mut own_nodes = M::per_node(node_count, Node::at([<E::Parameter as Scalar>::from_f64(0.0); 2]));
+        let origin = PlacedNode::at([<E::Parameter as Scalar>::from_f64(0.0); 3]);
+        let mut own_nodes = M::per_node(node_count, origin);
         own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
         let (mut of_nodes, mut of_members) = (M::per_node(node_count, 0), M::per_member(member_count, 0));
         of_nodes.as_mut().iter_mut().zip(motions.as_ref()).for_each(|(count, motions)| *count = motions.count);
@@ -184,7 +195,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     }
 
     /// The nodes.
-    pub(super) fn nodes(&self) -> &[Node<E::Parameter>] {
+    pub(super) fn nodes(&self) -> &[PlacedNode<E::Parameter>] {
         &self.nodes.as_ref()[..self.sizes[0]]
     }
 
@@ -208,19 +219,34 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     }
 }
 
+/// A member in one plane, or a part of one: an element between two ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part<E: MemberElement> {
+    pub(crate) ends: [SpatialEnd<E::Parameter>; 2],
+    pub(crate) plane: MemberPlane<E::Parameter>,
+    pub(crate) element: E,
+}
+
+impl<E: MemberElement> From<Member<E>> for Part<E> {
+    fn from(Member { ends, element }: Member<E>) -> Self {
+        Part { ends: ends.map(SpatialEnd::from), plane: MemberPlane::Structure, element }
+    }
+}
+
 /// Checks the numbers of a node.
-fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkError> {
+fn check_node<T: Parameter>(index: usize, node: &PlacedNode<T>) -> Result<(), NetworkError> {
     let fail = |problem| Err(NetworkError::InvalidNode { node: index, problem });
     let is_valid = |inertia: T| inertia.to_f64() >= 0.0 && inertia.to_f64().is_finite();
     if !is_finite(node.position) {
         return fail("its place is not finite");
     }
-    if !(is_valid(node.mass) && is_valid(node.inertia) && is_finite(node.centre)) {
+    if !(is_valid(node.mass) && node.inertia[..3].iter().all(|moment| is_valid(*moment)) && is_finite(node.centre)) {
         return fail("mass and inertia must be zero or positive, and finite like the mass centre");
     }
-    match node.along {
-        Some(direction) if !is_direction(direction) => fail("its direction is zero, not finite or beyond 1e±70"),
-        Some(_) if node.held.contains(Freedoms::X) || node.held.contains(Freedoms::Y) => {
+    let held = XYZ.intersection(node.held);
+    match node.skew {
+        Some(skew) if !is_direction(*skew.direction()) => fail("its direction is zero, not finite or beyond 1e±70"),
+        Some(_) if held.contains(Freedoms::X) || held.contains(Freedoms::Y) => {
             fail("it moves along a direction, and x or y is held as well: hold rz at most")
         }
         _ => Ok(()),
@@ -228,7 +254,7 @@ fn check_node<T: Parameter>(index: usize, node: &Node<T>) -> Result<(), NetworkE
 }
 
 /// Whether a vector has a direction.
-pub(crate) fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
+pub(crate) fn is_direction<T: Parameter, const N: usize>(vector: [T; N]) -> bool {
     let size = vector.iter().map(|part| part.to_f64().abs()).fold(0.0, f64::max);
     is_finite(vector) && is_size_of_direction(size)
 }
@@ -236,27 +262,27 @@ pub(crate) fn is_direction<T: Parameter>(vector: [T; 2]) -> bool {
 /// Builds a member.
 fn build_placed<E: MemberElement>(
     index: usize,
-    member: &Member<E>,
-    nodes: &[Node<E::Parameter>],
+    member: &Part<E>,
+    nodes: &[PlacedNode<E::Parameter>],
     motions: &[Motions<E::Parameter>],
 ) -> Result<(E::Built, Placement<E::Parameter>), NetworkError> {
-    let Member { mut ends, element } = *member;
+    let Part { mut ends, element, plane } = *member;
     if let Some(end) = ends.iter().find(|end| end.node >= nodes.len()) {
         return Err(NetworkError::NoSuchNode { member: index, node: end.node });
     }
     let freedoms = element.freedoms();
-    let acts_along = freedoms.is(Freedoms::X) || element.is_joint();
+    let acts_along = freedoms.is(Freedoms::X) || element.is_joint() || plane == MemberPlane::About;
     let mut directions = ends.iter().filter_map(|end| end.along);
     if directions.any(|direction| !acts_along || !is_direction(direction)) {
         return Err(NetworkError::Direction { member: index });
     }
     if element.is_joint() {
-        ends = ends.map(End::in_axes);
+        ends = ends.map(SpatialEnd::in_axes);
     }
     let [from, to] = &ends;
     let placement = Placement::new(
-        freedoms,
-        [from, to],
+        (freedoms, plane),
+        &ends,
         [&nodes[from.node], &nodes[to.node]],
         [&motions[from.node], &motions[to.node]],
     );
@@ -265,7 +291,8 @@ fn build_placed<E: MemberElement>(
         return Err(NetworkError::TwoPlaces { member: index, nodes: [from.node, to.node] });
     }
     let have_directions = ends.iter().all(|end| end.along.is_some());
-    if !(length.to_f64() > 0.0 || have_directions || freedoms.is(Freedoms::RZ)) {
+    let has_no_direction = freedoms.is(Freedoms::RZ) && plane == MemberPlane::Structure;
+    if !(length.to_f64() > 0.0 || have_directions || has_no_direction) {
         return Err(NetworkError::SamePlace { member: index, nodes: [from.node, to.node] });
     }
     let built = element.build(length).map_err(|error| NetworkError::Parameter {
@@ -291,6 +318,10 @@ impl<E: MemberElement, M: Memory> System for Network<E, M> {
         visit_network(self, visitor);
     }
 
+    fn is_flat(&self) -> bool {
+        self.stiffness.is_flat()
+    }
+
     fn spot_of(&self, place: usize) -> Spot {
         self.spot(place)
     }
@@ -307,7 +338,7 @@ impl<E: MemberElement, M: Memory> System for Network<E, M> {
 impl<E: MemberElement, M: Memory> Placed for Network<E, M> {
     type Model = InNetwork;
 
-    fn node(&self, node: usize) -> (&Node<E::Parameter>, &Motions<E::Parameter>) {
+    fn node(&self, node: usize) -> (&PlacedNode<E::Parameter>, &Motions<E::Parameter>) {
         (&self.nodes.as_ref()[node], &self.motions.as_ref()[node])
     }
 
@@ -315,7 +346,7 @@ impl<E: MemberElement, M: Memory> Placed for Network<E, M> {
         self.sizes
     }
 
-    fn place(&self, place: usize) -> [E::Parameter; 2] {
+    fn place(&self, place: usize) -> [E::Parameter; 3] {
         self.nodes.as_ref()[place].position
     }
 

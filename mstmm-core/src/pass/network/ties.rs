@@ -7,9 +7,10 @@ use crate::element::MemberNumbers;
 use crate::model::EndMotion;
 use crate::number::{Frequency, FrequencyPowers, Real, Scalar};
 use crate::pass::network::loading::Loading;
-use crate::pass::network::member::Placement;
-use crate::pass::network::node::{Motions, NONE, Shared};
+use crate::pass::network::motions::{Motions, NONE, Shared};
 use crate::pass::network::placed::Placed;
+use crate::pass::network::placement::Placement;
+use crate::pass::network::vector::Six;
 use crate::structure::MemberStiffness;
 use mstmm_plan::Freedoms;
 
@@ -69,7 +70,7 @@ fn each_of(freedoms: Freedoms) -> impl Iterator<Item = (usize, Freedoms)> {
 }
 
 /// The one motion of a row, with its coefficient, if that is 1 or -1.
-fn single<T: Real>(row: &[T; 3]) -> Option<(usize, T)> {
+fn single<T: Real>(row: &Six<T>) -> Option<(usize, T)> {
     let mut parts = row.iter().enumerate().filter(|(_, part)| !part.vanishes());
     let (motion, part) = parts.next()?;
     (parts.next().is_none() && part.abs() == T::one()).then_some((motion, *part))
@@ -100,7 +101,7 @@ pub(super) struct Solved<'a, S: Scalar> {
 pub(super) fn joints<Y, S>(
     network: &Y,
     solved: &Solved<'_, S>,
-    values: impl Fn(usize) -> [S; 3],
+    values: impl Fn(usize) -> Six<S>,
     members: &mut [[EndMotion<S>; 2]],
 ) where
     Y: Placed,
@@ -143,7 +144,7 @@ pub(super) fn joints<Y, S>(
 fn of_joint<Y, S>(
     network: &Y,
     Solved { stiffnesses, loading, at }: &Solved<'_, S>,
-    (node, values): (usize, &[S; 3]),
+    (node, values): (usize, &Six<S>),
     (tie, leaf): (usize, usize),
     members: &[[EndMotion<S>; 2]],
 ) -> [EndMotion<S>; 2]

@@ -3,6 +3,7 @@
 use crate::element::MemberNumbers;
 use crate::number::Parameter;
 use crate::pass::network::placed::Placed;
+use crate::pass::network::placed_node::XYZ;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
 use mstmm_plan::Freedoms;
 
@@ -20,7 +21,9 @@ pub fn visit_network<Y: Placed>(network: &Y, visitor: &mut dyn Visitor) {
                 let numbers = &network.numbers()[member];
                 if matches!(numbers, MemberNumbers::Joint(..)) == are_joints {
                     let ends = [end_of(network, member, 0), end_of(network, member, 1)];
-                    visitor.member((member, network.placement(member).freedoms), numbers, &ends, node);
+                    let placement = network.placement(member);
+                    let plane = placement.plane().map(Y::Parameter::words);
+                    visitor.member((member, placement.freedoms, plane), numbers, &ends, node);
                 } else {
                     has_joints = !are_joints;
                 }
@@ -30,7 +33,8 @@ pub fn visit_network<Y: Placed>(network: &Y, visitor: &mut dyn Visitor) {
         let own = network.node(node).0;
         if own.has_body() {
             let centre = own.centre.map(Y::Parameter::words);
-            visitor.body(&node_of(network, node), own.mass.words(), own.inertia.words(), centre);
+            let inertia = own.inertia.map(Y::Parameter::words);
+            visitor.body(&node_of(network, node), own.mass.words(), &inertia, centre);
         }
         visitor.leave(node);
     }
@@ -39,9 +43,9 @@ pub fn visit_network<Y: Placed>(network: &Y, visitor: &mut dyn Visitor) {
 /// A node in numbers.
 fn node_of<Y: Placed>(network: &Y, index: usize) -> NodeNumbers {
     let node = network.node(index).0;
-    let along = node.along.map(|direction| direction.map(Y::Parameter::words));
-    let held = if along.is_some() { node.held.union(Freedoms::X).union(Freedoms::Y) } else { node.held };
-    NodeNumbers { index, place: node.position.map(Y::Parameter::words), free: Freedoms::ALL.without(held), along }
+    let skew = node.skew.map(|skew| skew.map(Y::Parameter::words));
+    let held = if skew.is_some() { node.held.union(XYZ) } else { node.held };
+    NodeNumbers { index, place: node.position.map(Y::Parameter::words), free: Freedoms::SPACE.without(held), skew }
 }
 
 /// The end of a member in numbers.

@@ -205,6 +205,10 @@ impl<N: Level<Word = f64, Alone = N>> Join for Matrix<'_, N> {
         self.add_all(&inertia.map(|inertia| self.at.square * inertia), &rows);
     }
 
+    fn add_tensor(&mut self, tensor: [Ball<N>; 6], rows: [&[Term<N>]; 3]) {
+        self.add_all(&tensor.map(|entry| self.at.square * entry), &rows);
+    }
+
     fn add_line(&mut self, numbers: (&LineNumbers, &DampingNumbers), length: Ball<N>, rows: [&[Term<N>]; 2]) {
         let [_, y] = self.centre.of_line(numbers, length);
         let middle = line(y).is_beside_pole().then(|| Row::<N, 1>::of(self.enter()));

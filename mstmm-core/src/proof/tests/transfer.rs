@@ -5,7 +5,7 @@
 //! makes of it, puts the step of the count elsewhere.
 
 use crate::element::{BodyNumbers, Exact, MatrixOf, MemberNumbers, OwnPart, TransferMatrix};
-use crate::model::{Spot, StateSpace};
+use crate::model::{MemberPlane, Spot, StateSpace};
 use crate::number::{Parameter, Scalar};
 use crate::proof::prover::Prover;
 use crate::proof::tests::random::Random;
@@ -27,8 +27,8 @@ pub(super) struct Sprung {
     /// Levers before and behind the element, in a bending path.
     levers: [DoubleDouble; 2],
     /// Where the far end stands, of an element of a frame, and the vector along it.
-    far: [Exact; 2],
-    along: [Exact; 2],
+    far: [Exact; 3],
+    along: [Exact; 3],
     /// The springs of both ends, in the order of the displacements.
     springs: [Vec<DoubleDouble>; 2],
 }
@@ -83,20 +83,20 @@ impl Sprung {
     }
 
     fn visit_frame(&self, visitor: &mut dyn Visitor) {
-        let near = [[0.0; 2]; 2];
-        let node = |index, place, free| NodeNumbers { index, place, free, along: None };
-        let ends = [node(1, near, Freedoms::ALL), node(2, self.far, Freedoms::ALL)];
+        let near = [[0.0; 2]; 3];
+        let node = |index, place, free| NodeNumbers { index, place, free, skew: None };
+        let ends = [node(1, near, Freedoms::PLANE), node(2, self.far, Freedoms::PLANE)];
         let end_at = |node: NodeNumbers, along| MemberEnd { node, place: node.place, along, released: Freedoms::NONE };
         let own_axes = matches!(self.numbers, MemberNumbers::Joint(..)).then_some(self.along);
-        let [c, s] = self.along;
-        let across = [s.map(|part| -part), c];
+        let [c, s, z] = self.along;
+        let across = [s.map(|part| -part), c, z];
         let springs = |end: usize, visitor: &mut dyn Visitor| {
             let ground = node(0, ends[end].place, Freedoms::NONE);
             let spring_axes = [(0, Some(self.along)), (0, Some(across)), (2, None)];
             for ((freedom, along), spring) in spring_axes.into_iter().zip(&self.springs[end]) {
                 let numbers = MemberNumbers::Spring(freedom, spring.words());
                 visitor.member(
-                    (0, Freedoms::ALL),
+                    (0, Freedoms::PLANE, MemberPlane::Structure),
                     &numbers,
                     &[end_at(ground, along), end_at(ends[end], along)],
                     ends[end].index,
@@ -104,7 +104,8 @@ impl Sprung {
             }
         };
         springs(0, visitor);
-        visitor.member((0, Freedoms::ALL), &self.numbers, &ends.map(|node| end_at(node, own_axes)), 1);
+        let member = (0, Freedoms::PLANE, MemberPlane::Structure);
+        visitor.member(member, &self.numbers, &ends.map(|node| end_at(node, own_axes)), 1);
         visitor.leave(1);
         springs(1, visitor);
         visitor.leave(2);
@@ -263,8 +264,9 @@ pub(super) fn step(
     let counts = [-1.0, 1.0].map(|side| {
         let off = Parameter::abs(spring) * DoubleDouble::from_f64(side * distance);
         springs[1][last] = spring + off;
-        let along = [[3.0, 0.0], [4.0, 0.0]];
-        let sprung = Sprung { space, numbers, levers, far: [part(3.0), part(4.0)], along, springs: springs.clone() };
+        let along = [[3.0, 0.0], [4.0, 0.0], [0.0; 2]];
+        let sprung =
+            Sprung { space, numbers, levers, far: [part(3.0), part(4.0), [0.0; 2]], along, springs: springs.clone() };
         Prover::new(&sprung).bounds(omega, 1.0)
     });
     match counts {

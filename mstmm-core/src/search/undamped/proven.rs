@@ -34,6 +34,10 @@ impl<Y: Undamped + ?Sized> Visited for Parts<'_, Y> {
         self.0.name_parts(visitor);
     }
 
+    fn is_flat(&self) -> bool {
+        self.0.is_flat()
+    }
+
     fn spot(&self, place: usize) -> Spot {
         self.0.spot_of(place)
     }

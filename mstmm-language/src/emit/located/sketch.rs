@@ -66,7 +66,7 @@ fn sketched_node(node: &Node<'_>, names: &Names) -> TokenStream {
     let held = match node.known() {
         Some([_, held]) => freedoms(held, names),
         None => {
-            let [held, all] = [node.held, Freedoms::ALL].map(|set| freedoms(set, names));
+            let [held, all] = [node.held, Freedoms::PLANE].map(|set| freedoms(set, names));
             let turns = node.along.map(|_| quote_spanned!(names.here=> .intersection(#private::Freedoms::RZ)));
             quote_spanned!(names.here=> #held.union(#all.without(#own))#turns)
         }
@@ -128,8 +128,8 @@ pub(super) fn freedom_set(set: &FreedomSet<'_>, names: &Names) -> TokenStream {
 /// A set of known freedoms.
 fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
     let private = &names.private;
-    if set == Freedoms::ALL {
-        return quote_spanned!(names.here=> #private::Freedoms::ALL);
+    if set == Freedoms::PLANE {
+        return quote_spanned!(names.here=> #private::Freedoms::PLANE);
     }
     let mut sum = quote_spanned!(names.here=> #private::Freedoms::NONE);
     for (freedom, name) in Freedoms::SINGLE.into_iter().zip(["X", "Y", "RZ"]) {

@@ -197,14 +197,14 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
                 [#nodes, #members]
             }
 
-            fn place(&self, place: ::core::primitive::usize) -> [#parameter; 2] {
+            fn place(&self, place: ::core::primitive::usize) -> [#parameter; 3] {
                 SKETCH.place(&self.geometry, place)
             }
 
             fn node(
                 &self,
                 node: ::core::primitive::usize,
-            ) -> (&#private::Node<#parameter>, &#private::Motions<#parameter>) {
+            ) -> (&#private::PlacedNode<#parameter>, &#private::Motions<#parameter>) {
                 self.skeleton.node(node)
             }
 

@@ -2,7 +2,7 @@
 
 use crate::element::MemberNumbers;
 use crate::number::Real;
-use crate::pass::network::member::Placement;
+use crate::pass::network::placement::Placement;
 use crate::pass::network::stiffness::group::Group;
 use crate::pass::network::stiffness::numbers::Waving;
 use mstmm_plan::Freedoms;
@@ -87,7 +87,9 @@ impl StiffnessMember {
         };
         StiffnessMember {
             waving: if is_known { Waving::new(numbers, placement.own_length().to_f64()) } else { Waving::Other },
-            rows: placement.rows().map(|[along, across, _]| [along, across].map(|row| row.map(T::to_f64))),
+            rows: placement
+                .rows()
+                .map(|[along, across, _]| [along, across].map(|[x, y, turn, ..]| [x, y, turn].map(T::to_f64))),
             seat,
         }
     }

@@ -1,14 +1,19 @@
 //! A network in numbers alone, as the stiffness pass reads it.
 
 use crate::element::MemberNumbers;
+use crate::model::MemberPlane;
 use crate::number::Real;
-use crate::pass::network::member::Placement;
 use crate::pass::network::memory::Memory;
-use crate::pass::network::node::{Motions, Node};
+use crate::pass::network::motions::Motions;
+use crate::pass::network::placed_node::PlacedNode;
+use crate::pass::network::placement::Placement;
 use crate::pass::network::stiffness::arrangement::arrange;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::node::StiffnessNode;
-use mstmm_plan::NetworkOrder;
+use mstmm_plan::{Freedoms, NetworkOrder};
+
+/// Most motions of a node of the plane.
+const MOST_IN_PLANE: usize = Freedoms::SINGLE.len();
 
 /// Memory for a network in numbers, in the order in which a pass needs them.
 #[derive(Clone, Debug)]
@@ -20,6 +25,8 @@ pub(crate) struct StiffnessRoom<M: Memory> {
     joining: M::PerMember<u32>,
     parting: M::PerMember<u32>,
     width: Option<usize>,
+    /// Whether all nodes and members move in one plane.
+    is_flat: bool,
 }
 
 impl<M: Memory> StiffnessRoom<M> {
@@ -32,24 +39,33 @@ impl<M: Memory> StiffnessRoom<M> {
             joining: M::per_member(members, 0),
             parting: M::per_member(members, 0),
             width: None,
+            is_flat: true,
         }
     }
 
     /// Keeps a node.
-    pub(crate) fn set_node<T: Real>(&mut self, index: usize, node: &Node<T>, motions: &Motions<T>) {
+    pub(crate) fn set_node<T: Real>(&mut self, index: usize, node: &PlacedNode<T>, motions: &Motions<T>) {
+        self.is_flat &= motions.count <= MOST_IN_PLANE;
         self.nodes.as_mut()[index] = StiffnessNode::new(node, motions);
     }
 
     /// Keeps a member in its place.
     pub(crate) fn set_member<T: Real>(&mut self, index: usize, numbers: MemberNumbers, placement: &Placement<T>) {
+        self.is_flat &= placement.plane() == MemberPlane::Structure;
         self.members.as_mut()[index] = StiffnessMember::new(&numbers, placement);
         self.numbers.as_mut()[index] = numbers;
     }
 
     /// Arranges all that was kept for the passes to come.
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
-        let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
-        *width = arrange(order, nodes.as_mut(), members.as_mut(), [joining.as_mut(), parting.as_mut()]);
+        let StiffnessRoom { nodes, members, joining, parting, width, is_flat, .. } = self;
+        let arranged = arrange(order, nodes.as_mut(), members.as_mut(), [joining.as_mut(), parting.as_mut()]);
+        *width = arranged.filter(|_| *is_flat);
+    }
+
+    /// Whether all nodes and members move in one plane.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.is_flat
     }
 
     /// The members in numbers.

@@ -2,7 +2,7 @@
 //! several, as trees and as frames.
 
 use crate::element::{BeamNumbers, DampingNumbers, LineNumbers, MemberNumbers, OwnPart};
-use crate::model::Spot;
+use crate::model::{MemberPlane, Spot};
 use crate::proof::tests::discs::exact_complex::ExactComplex;
 use crate::proof::tests::exact::{Exact, exact, pi};
 use crate::proof::tests::random::Random;
@@ -90,15 +90,20 @@ impl Row {
         let mut at = 0.0;
         let mut node = |index: usize, step: f64| {
             at += step;
-            let place = [pair(3.0 * at), pair(4.0 * at)];
+            let place = [pair(3.0 * at), pair(4.0 * at), [0.0; 2]];
             let is_end = index == 0 || index == self.parts.len();
-            NodeNumbers { index, place, free: if is_end { Freedoms::RZ } else { Freedoms::ALL }, along: None }
+            NodeNumbers { index, place, free: if is_end { Freedoms::RZ } else { Freedoms::PLANE }, skew: None }
         };
         let end = |node: NodeNumbers| MemberEnd { node, place: node.place, along: None, released: Freedoms::NONE };
         let mut from = node(0, 0.0);
         for (k, part) in self.parts.iter().enumerate() {
             let to = node(k + 1, *part);
-            visitor.member((k, Freedoms::ALL), &self.piece(5.0 * part), &[end(from), end(to)], k);
+            visitor.member(
+                (k, Freedoms::PLANE, MemberPlane::Structure),
+                &self.piece(5.0 * part),
+                &[end(from), end(to)],
+                k,
+            );
             visitor.leave(k);
             from = to;
         }

@@ -1,0 +1,116 @@
+//! The second plane of a string in space: there it moves across itself, and does not stretch once more.
+
+use crate::element::{
+    ByName, Charted, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork,
+    TransferMatrix,
+};
+use crate::elements::Across;
+use crate::elements::in_plane::{ChartedAcross, Stretching};
+use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter};
+use crate::number::{FrequencyPowers, Scalar, Single};
+use crate::structure::Chart;
+
+/// A string that moves across itself between two places.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sideways<B>(pub(crate) B);
+
+/// The motion of an end as the string has it, along its path, or that back again.
+fn turned<S: Scalar>(mut end: EndMotion<S>) -> EndMotion<S> {
+    end.displacements.swap(0, 1);
+    end.forces.swap(0, 1);
+    end
+}
+
+/// The motion of both ends as the string has it.
+fn along_path<S: Scalar>(motion: &MemberEnds<S>) -> MemberEnds<S> {
+    MemberEnds { x: motion.x, ends: motion.ends.map(turned) }
+}
+
+impl<B: Across> Sideways<B> {
+    /// The string of another length.
+    pub(crate) fn of_length(self, length: B::Number) -> Self {
+        Sideways(self.0.of_length(length))
+    }
+}
+
+impl<B: Stretching> Element for Sideways<B> {
+    type State = B::State;
+    type Built = B::Built;
+
+    fn build(self) -> Result<B::Built, InvalidParameter> {
+        self.0.build()
+    }
+
+    fn estimate(built: &B::Built, estimates: &mut FrequencyEstimates) {
+        B::estimate(built, estimates);
+    }
+
+    fn member_numbers(built: &B::Built) -> MemberNumbers {
+        B::member_numbers(built).between_places(1)
+    }
+}
+
+impl<B: Stretching + TransferMatrix<S>, S: Single> TransferMatrix<S> for Sideways<B> {
+    fn transfer_matrix(built: &B::Built, x: S) -> crate::element::MatrixOf<B, S> {
+        B::transfer_matrix(built, x)
+    }
+}
+
+impl<B: Stretching + ChartedAcross<S>, S: Scalar> Charted<S> for Sideways<B> {
+    fn chart(built: &B::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
+        B::chart_across(built, at, length, None)
+    }
+}
+
+impl<B: Stretching + MemberMotion<S>, S: Scalar> MemberMotion<S> for Sideways<B> {
+    fn forms(built: &B::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+        B::forms(built, &along_path(first), &along_path(second))
+    }
+
+    fn inside(built: &B::Built, x: S) -> Option<Inside> {
+        B::inside(built, x)
+    }
+
+    fn motion_at(built: &B::Built, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
+        turned(B::motion_at(built, &along_path(motion), distance))
+    }
+
+    fn load_work(built: &B::Built, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+        let [across, along] = B::load_work(built, &along_path(motion))?;
+        Some([along, across])
+    }
+
+    fn mass_per_length(built: &B::Built) -> S {
+        B::mass_per_length(built)
+    }
+
+    fn motion_under_load(
+        built: &B::Built,
+        motion: &MemberEnds<S>,
+        [along, across]: [S; 2],
+        distance: f64,
+    ) -> EndMotion<S> {
+        turned(B::motion_under_load(built, &along_path(motion), [across, along], distance))
+    }
+}
+
+impl<B: Stretching + MemberGradient<S>, S: Scalar> MemberGradient<S> for Sideways<B> {
+    type Gradient = SidewaysGradient<B::Gradient>;
+
+    fn member_gradient(built: &B::Built, work: &MemberWork<S>) -> SidewaysGradient<B::Gradient> {
+        let mut work = *work;
+        work.ends = work.ends.map(turned);
+        work.kinetic = [work.kinetic[1], work.kinetic[0]];
+        SidewaysGradient(B::member_gradient(built, &work))
+    }
+}
+
+/// The derivatives of a string, but for that with respect to its length, which its places give.
+#[derive(Clone, Copy, Debug)]
+pub struct SidewaysGradient<G>(G);
+
+impl<S: Copy, G: ByName<S>> ByName<S> for SidewaysGradient<G> {
+    fn by_name(&self, name: &str) -> Option<S> {
+        if name == "length" { None } else { self.0.by_name(name) }
+    }
+}

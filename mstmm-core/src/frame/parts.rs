@@ -1,0 +1,132 @@
+//! The parts of a member: in a plane structure one, in space up to three.
+
+use crate::element::MemberElement;
+use crate::elements::any_member::AnyMember;
+use crate::frame::dimension::Dimension;
+use crate::frame::error::Mistake;
+use crate::model::MemberPlane;
+use mstmm_plan::Freedoms;
+
+/// Most parts of a member.
+pub(crate) const MOST_PARTS: usize = 3;
+
+/// The displacements, and the rotations.
+pub(crate) const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
+pub(crate) const ROTATIONS: Freedoms = Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ);
+
+/// Sine of the angle between the axis of a member and its `up` below which that says no direction.
+const PARALLEL: f64 = 1e-9;
+
+/// `up` of a member that names none, and of one along that.
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const UP_OF_VERTICAL: [f64; 3] = [1.0, 0.0, 0.0];
+
+/// The elements of a member in its planes: x and y with the rotation about z, x and z with that about -y, and the rotation about x. In a plane
+/// structure, and of what has one motion, the first one is all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Parts {
+    pub(crate) elements: [Option<AnyMember<f64>>; MOST_PARTS],
+    /// The vector that is made its z axis, if it names one.
+    pub(crate) up: Option<[f64; 3]>,
+    /// Whether both planes through its axis are alike.
+    pub(crate) is_symmetric: bool,
+    /// A bit for each parameter that its section names.
+    pub(crate) named: u32,
+}
+
+/// Freedoms of a member by those of its parts.
+const OF_PARTS: [[Option<Freedoms>; 3]; MOST_PARTS] = [
+    [Some(Freedoms::X), Some(Freedoms::Y), Some(Freedoms::RZ)],
+    [None, Some(Freedoms::Z), Some(Freedoms::RY)],
+    [None, None, Some(Freedoms::RX)],
+];
+
+impl Parts {
+    /// An element that is all of a member.
+    pub(crate) fn one(element: impl Into<AnyMember<f64>>) -> Self {
+        Parts { elements: [Some(element.into()), None, None], up: None, is_symmetric: false, named: 0 }
+    }
+
+    /// The elements that are there, each with its plane among those of the member.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, AnyMember<f64>)> {
+        self.elements.into_iter().enumerate().filter_map(|(part, element)| Some((part, element?)))
+    }
+
+    /// Whether it stands at one place.
+    pub(crate) fn is_joint(&self) -> bool {
+        self.iter().any(|(_, element)| element.is_joint())
+    }
+
+    /// The one freedom of what stands in a path, X or RZ.
+    pub(crate) fn motion(&self) -> Option<Freedoms> {
+        match self.elements {
+            [Some(element), None, None] if element.freedoms().count() == 1 && !element.is_joint() => {
+                Some(element.freedoms())
+            }
+            _ => None,
+        }
+    }
+
+    /// The freedoms that it has at its ends, in its own axes.
+    pub(crate) fn freedoms(&self) -> Freedoms {
+        let of_part = |(part, element): (usize, AnyMember<f64>)| freedoms_of(part, element.freedoms());
+        self.iter().map(of_part).fold(Freedoms::NONE, Freedoms::union)
+    }
+
+    /// The freedoms that it brings to a point of a dimension.
+    pub(crate) fn brought<D: Dimension>(&self) -> Freedoms {
+        let brought = match self.motion() {
+            Some(motion) if motion.is(Freedoms::RZ) => ROTATIONS,
+            Some(_) => DISPLACEMENTS,
+            // joints share what they tie, and what they let go moves on both sides
+            None if self.freedoms().intersection(ROTATIONS).is_empty() => DISPLACEMENTS,
+            None => Freedoms::SPACE,
+        };
+        brought.intersection(D::FREEDOMS)
+    }
+
+    /// The plane of a part, given the x axis of its member.
+    ///
+    /// # Errors
+    /// [`Mistake::NoOrientation`] where the member leads along its `up`.
+    pub(crate) fn plane<D: Dimension>(&self, part: usize, along: [f64; 3]) -> Result<MemberPlane<f64>, Mistake> {
+        if D::FREEDOMS != Freedoms::SPACE {
+            return Ok(MemberPlane::Structure);
+        }
+        match self.motion() {
+            Some(motion) if motion.is(Freedoms::RZ) => return Ok(MemberPlane::About),
+            Some(_) => return Ok(MemberPlane::Along),
+            None if part == 2 => return Ok(MemberPlane::About),
+            None => {}
+        }
+        let is_along = |up: [f64; 3]| {
+            let [x, y, z] = along;
+            let [u, v, w] = up;
+            let across = [y * w - z * v, z * u - x * w, x * v - y * u];
+            let size = |vector: [f64; 3]| vector.iter().map(|part| part * part).sum::<f64>();
+            // a NaN is no direction either
+            !(size(across) > PARALLEL * PARALLEL * size(along) * size(up))
+        };
+        let up = match self.up {
+            None if is_along(UP) && self.is_symmetric => UP_OF_VERTICAL,
+            up => up.unwrap_or(UP),
+        };
+        if is_along(up) {
+            return Err(Mistake::NoOrientation);
+        }
+        Ok(if part == 0 { MemberPlane::First(up) } else { MemberPlane::Second(up) })
+    }
+}
+
+/// What freedoms of a part are in its member.
+pub(crate) fn freedoms_of(part: usize, own: Freedoms) -> Freedoms {
+    let of_part = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
+    of_part.filter(|(single, _)| own.contains(*single)).filter_map(|(_, of)| of).fold(Freedoms::NONE, Freedoms::union)
+}
+
+/// What freedoms of a member are in a part.
+pub(crate) fn freedoms_in(part: usize, of_member: Freedoms) -> Freedoms {
+    let of_part = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
+    let held = of_part.filter(|(_, of)| of.is_some_and(|of| of_member.contains(of)));
+    held.map(|(single, _)| single).fold(Freedoms::NONE, Freedoms::union)
+}

@@ -1,0 +1,4 @@
+//! Frames in space: exact values, an independent model, laws.
+
+mod cases;
+mod exact;
