@@ -147,7 +147,7 @@ impl Structure {
 
     /// Adds a node that holds all displacements.
     pub(crate) fn clamp(&mut self, position: [f64; 2]) -> usize {
-        self.node(Node::at(position).held(Freedoms::PLANE))
+        self.node(Node::at(position).held(Freedoms::ALL))
     }
 
     /// Adds a beam.

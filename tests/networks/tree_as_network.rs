@@ -54,7 +54,7 @@ fn both(a: Freedoms, b: Freedoms) -> Freedoms {
 
 fn held_by(support: Support, has: Freedoms) -> Freedoms {
     let held = match support {
-        Support::Fixed => Freedoms::PLANE,
+        Support::Fixed => Freedoms::ALL,
         Support::Pinned => Freedoms::PIN,
         Support::Guided => Freedoms::RZ,
         _ => Freedoms::NONE,

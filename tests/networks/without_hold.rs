@@ -64,7 +64,7 @@ fn on_one_axle(lever: [f64; 2], mass: f64) -> Structure {
     for body in bodies {
         structure.weld(axle, End::from(body).at([0.0, 0.0]), Freedoms::PIN);
     }
-    structure.weld(bodies[0], bodies[1], Freedoms::PLANE);
+    structure.weld(bodies[0], bodies[1], Freedoms::ALL);
     let root = structure.clamp([lever[0] + 1.0, lever[1] - 0.5]);
     structure.beam(bodies[1], root, SECTION);
     structure
@@ -95,7 +95,7 @@ fn ring_with_two_pins(size: f64, turn: f64) -> (Structure, Vec<usize>) {
         bodies.extend((0..7).map(|part| structure.node(body(part))));
         for part in 0..7 {
             let joint = place(part as f64 + 0.5);
-            let shared = if part == 1 || part == 6 { Freedoms::PIN } else { Freedoms::PLANE };
+            let shared = if part == 1 || part == 6 { Freedoms::PIN } else { Freedoms::ALL };
             let ends = [bodies[part], bodies[(part + 1) % 7]].map(|body| End::from(body).at(joint));
             structure.weld(ends[0], ends[1], shared);
         }

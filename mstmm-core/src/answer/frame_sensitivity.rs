@@ -6,8 +6,9 @@ use crate::answer::root::{Root, moved_by_work, simple_root};
 use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
 use crate::frame::{Body, Dimension, Framework, Member};
 use crate::model::MotionError;
-use crate::pass::network::vector::{difference, moved};
+use crate::pass::network::vector::{difference, moved, rotations};
 use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
+use mstmm_plan::Freedoms;
 
 /// The derivatives of a root with respect to the parameters of a frame, dω/dp or dλ/dp, by handles and names.
 #[derive(Debug)]
@@ -65,7 +66,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
 }
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> FrameSensitivities<'_, D, E, S> {
-    /// The derivative with respect to a parameter of a member, by the name that its section or its struct has, or to `mass` or `inertia` of a body.
+    /// The derivative with respect to a parameter of a member, by the name that its section or its struct has, or to `mass` or `inertia` of a body; in
+    /// space to `inertia_xx`, `_yy`, `_zz`, `_xy`, `_yz` or `_zx`, each entry of the tensor that stands twice once.
     ///
     /// # Errors
     /// [`MotionError::NoSuchParameter`] where there is no derivative of this name; [`MotionError::OtherFrame`] for a handle of another frame.
@@ -83,8 +85,7 @@ where
 {
     fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
         let FrameSensitivities { frame, works, .. } = sensitivities;
-        let member = frame.member_of(self.handle())?;
-        Ok(frame.slope(member, &works.as_slice()[member], name))
+        Ok(frame.slope(frame.parts_of(self.handle())?, works.as_slice(), name))
     }
 }
 
@@ -99,10 +100,20 @@ where
         let (node, centre) = frame.body(self)?;
         let position = Placed::node(*frame, node).0.position;
         let to_centre = difference(position, centre).map(S::from_f64);
-        let [by_mass, by_inertia] = body_slopes(shape.x.lambda_squared(), moved(shape.all_of(node)?, to_centre));
+        let (square, centre) = (shape.x.lambda_squared(), moved(shape.all_of(node)?, to_centre));
+        let [by_mass, by_inertia] = body_slopes(square, centre);
+        let [x, y, z] = rotations(centre);
+        let half = S::from_f64(0.5) * square;
+        let is_in_space = D::FREEDOMS == Freedoms::SPACE;
         Ok(match name {
             "mass" => Some(by_mass),
-            "inertia" => Some(by_inertia),
+            "inertia" if !is_in_space => Some(by_inertia),
+            "inertia_xx" if is_in_space => Some(half * x * x),
+            "inertia_yy" if is_in_space => Some(half * y * y),
+            "inertia_zz" if is_in_space => Some(half * z * z),
+            "inertia_xy" if is_in_space => Some(square * x * y),
+            "inertia_yz" if is_in_space => Some(square * y * z),
+            "inertia_zx" if is_in_space => Some(square * z * x),
             _ => None,
         })
     }

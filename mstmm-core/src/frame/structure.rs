@@ -10,7 +10,7 @@ use crate::frame::dimension::{Dimension, Flat};
 use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
 use crate::frame::holds::Hold;
-use crate::frame::in_space::called_in;
+use crate::frame::in_space::{called_in, name_in};
 use crate::frame::point::InFrame;
 use crate::model::{FrequencyEstimates, Handle, MemberLabel, MotionError, PlanePoint, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
@@ -225,8 +225,21 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
         self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
     }
 
-    /// `∂L/∂p` for a parameter of a member by its name in a frame.
-    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    /// `∂L/∂p` for a parameter of a member by its name in a frame, given the works of its parts.
+    pub(crate) fn slope<S: Scalar>(&self, parts: Range<usize>, works: &[MemberWork<S>], name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        let of_part = |part: usize| {
+            let place = self.placement(part).part();
+            self.slope_of_part(part, &works[part], name_in(name, place)?)
+        };
+        let slopes = parts.filter_map(of_part);
+        slopes.reduce(|sum, slope| sum + slope)
+    }
+
+    /// `∂L/∂p` for a parameter of a part by its name there.
+    fn slope_of_part<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
     where
         E: MemberSlopes<S>,
     {

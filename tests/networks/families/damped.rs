@@ -8,7 +8,7 @@ use crate::support::random_tree::Random;
 pub(crate) fn with_dashpots(mut structure: Structure, seed: u64, damping: f64) -> Structure {
     let mut random = Random(seed.wrapping_add(0x1234_5678));
     let nodes: Vec<usize> =
-        (0..structure.nodes.len()).filter(|&node| structure.nodes[node].held != Freedoms::PLANE).collect();
+        (0..structure.nodes.len()).filter(|&node| structure.nodes[node].held != Freedoms::ALL).collect();
     let Some(&last) = nodes.last() else { return structure };
     for _ in 0..=random.below(3) {
         let node = nodes[random.below(nodes.len())];

@@ -66,7 +66,7 @@ impl Line {
             Freedoms::NONE,
             Freedoms::Y,
             Freedoms::RZ,
-            Freedoms::PLANE,
+            Freedoms::ALL,
         ]);
         let mut node = self.structure.nodes[index].held(held);
         // a first node with hinges only has no mass else

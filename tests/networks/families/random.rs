@@ -143,7 +143,7 @@ impl Generator {
         let mut node = self.structure.nodes[index];
         let kind = self.random.unit();
         if kind < 0.15 {
-            node = node.held(Freedoms::PLANE);
+            node = node.held(Freedoms::ALL);
         } else if kind < 0.25 {
             node = node.held(Freedoms::PIN);
         } else if kind < 0.35 {
@@ -223,7 +223,7 @@ impl Generator {
             let is_member = |element: &Element| matches!(element, Element::Beam(_));
             let mut members = self.structure.members.iter().filter(|member| is_member(&member.element));
             let is_moved = members.any(|member| member.ends.iter().any(shares));
-            if node.held != Freedoms::PLANE && node.mass == 0.0 && !is_moved {
+            if node.held != Freedoms::ALL && node.mass == 0.0 && !is_moved {
                 self.structure.nodes[index] = self.body(node);
             }
         }

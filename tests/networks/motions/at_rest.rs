@@ -42,7 +42,7 @@ fn beams_under_a_load_in_the_middle_are_those_of_the_tables() {
     let middle = PlanePoint::node(1);
     let of = |held, entry| at_rest(&beam(length, [1.0, 0.0], held), middle.force_y(), entry);
     // clamped at both ends, at one and pinned at the other, pinned at both
-    let [clamped, propped, pinned] = [[Freedoms::PLANE; 2], [Freedoms::PLANE, Freedoms::PIN], [Freedoms::PIN; 2]];
+    let [clamped, propped, pinned] = [[Freedoms::ALL; 2], [Freedoms::ALL, Freedoms::PIN], [Freedoms::PIN; 2]];
     assert_near(of(clamped, middle.displacement_y()), length.powi(3) / (192.0 * ei));
     assert_near(of(clamped, input(0).moment()), length / 8.0);
     assert_near(of(propped, middle.displacement_y()), 7.0 * length.powi(3) / (768.0 * ei));
@@ -56,7 +56,7 @@ fn beams_under_a_load_in_the_middle_are_those_of_the_tables() {
 #[test]
 fn a_support_that_settles_bends_a_clamped_beam() {
     let (length, ei) = (3.0, SECTION.bending_stiffness);
-    let structure = beam(length, [0.6, 0.8], [Freedoms::PLANE; 2]);
+    let structure = beam(length, [0.6, 0.8], [Freedoms::ALL; 2]);
     let far = PlanePoint::node(2);
     // along x it goes 0.8 across the beam and 0.6 along it
     let moment = at_rest(&structure, far.motion_x(), input(0).moment());
@@ -90,7 +90,7 @@ fn a_multiple_root_of_another_structure_is_none() {
         let mut structure = Structure::default();
         let middle = structure.node(Node::at([0.0, 0.0]));
         for [x, y] in [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]] {
-            let held = if free { Freedoms::NONE } else { Freedoms::PLANE };
+            let held = if free { Freedoms::NONE } else { Freedoms::ALL };
             let node = structure.node(Node::at([side * x, side * y]).held(held));
             structure.beam(middle, node, SECTION);
         }
@@ -118,7 +118,7 @@ fn a_multiple_root_of_another_structure_is_none() {
 /// A load on what is held goes into the support at once.
 #[test]
 fn a_support_takes_the_load_on_its_point() {
-    let structure = beam(2.0, [0.6, 0.8], [Freedoms::PLANE, Freedoms::NONE]);
+    let structure = beam(2.0, [0.6, 0.8], [Freedoms::ALL, Freedoms::NONE]);
     let foot = PlanePoint::node(0);
     assert_near(at_rest(&structure, foot.force_x(), foot.reaction_x()), -1.0);
     assert_near(at_rest(&structure, foot.torque_z(), foot.reaction_z()), -1.0);

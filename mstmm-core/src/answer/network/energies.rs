@@ -28,8 +28,8 @@ where
         &self,
         label: MemberLabel<Y::Model, E>,
     ) -> Result<EnergyShares<<Y as System>::Parameter>, MotionError> {
-        let member = self.system.member_of(label.handle())?;
-        Ok(self.shares(self.forms(member, S::conjugate)))
+        let parts = self.system.parts_of(label.handle())?;
+        Ok(self.shares(parts.map(|part| self.forms(part, S::conjugate)).fold(Forms::none(), Forms::plus)))
     }
 
     /// The shares of the rigid bodies and masses that move with a point; they have kinetic energy alone.

@@ -14,21 +14,34 @@ const LENGTH: f64 = 64.0 * f64::EPSILON;
 /// Part of the largest displacement of a member below which its deflection is rounding and crosses nothing.
 const LEVEL: f64 = 1e-10;
 
-/// The state of a cross section of a member: its displacements in global axes, and the forces inside of the member.
+/// The state of a cross section of a member: its displacements in global axes, and the forces inside of the member. In a plane structure all
+/// that leads out of the plane is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberState<S> {
     /// The displacement along x \[m\].
     pub displacement_x: S,
     /// The displacement along y \[m\].
     pub displacement_y: S,
-    /// The rotation \[rad\], anticlockwise.
+    /// The displacement along z \[m\].
+    pub displacement_z: S,
+    /// The rotation about x \[rad\], right-handed.
+    pub rotation_x: S,
+    /// The rotation about y \[rad\], right-handed.
+    pub rotation_y: S,
+    /// The rotation about z \[rad\], in the plane anticlockwise.
     pub rotation_z: S,
     /// The axial force \[N\], tension positive.
     pub axial_force: S,
-    /// The shear force `Q = M'` \[N\], with x from the input end to the output end.
+    /// The shear force `Q = M'` \[N\], with x from the input end to the output end; in space along y of the member.
     pub shear: S,
-    /// The bending moment `M = EI Θ'` [N m].
+    /// The bending moment `M = EI Θ'` [N m]; in space about z of the member.
     pub moment: S,
+    /// The shear force along z of the member, `Qz = -My'` \[N\].
+    pub shear_z: S,
+    /// The bending moment about y of the member, `My = EI_y Θy'` [N m].
+    pub moment_y: S,
+    /// The torque about x of the member, `Mx = GJ Θx'` [N m].
+    pub torque: S,
 }
 
 impl<Y, S> PlaneStates<'_, Y, S>
@@ -42,16 +55,35 @@ where
     /// [`MotionError::Outside`] for a distance beyond its ends; [`MotionError::NoInside`] for springs, dampers and joints;
     /// [`MotionError::NoSuchPoint`] for a member that this system has not got.
     pub fn along<E>(&self, label: MemberLabel<Y::Model, E>, distance: f64) -> Result<MemberState<S>, MotionError> {
-        let member = self.system.member_of(label.handle())?;
-        let Inside { length, .. } = self.inside(member)?;
+        let parts = self.system.parts_of(label.handle())?;
+        let Inside { length, .. } = self.inside(parts.start)?;
         // lengths follow from places, with their rounding
         if !(0.0..=length * (1.0 + LENGTH)).contains(&distance) {
             return Err(MotionError::Outside { distance, length });
         }
-        let motion = self.motion_at(member, distance.min(length));
-        let [displacement_x, displacement_y, rotation_z, ..] = self.in_global_axes(member, 0, motion.displacements);
-        let [axial_force, shear, moment] = motion.internal(1);
-        Ok(MemberState { displacement_x, displacement_y, rotation_z, axial_force, shear, moment })
+        let (mut displaced, mut forces) = ([S::zero(); 6], [[S::zero(); 3]; 3]);
+        for part in parts {
+            let motion = self.motion_at(part, distance.min(length));
+            let own = self.in_global_axes(part, 0, motion.displacements);
+            displaced.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+            forces[self.system.placement(part).part()] = motion.internal(1);
+        }
+        let [displacement_x, displacement_y, rotation_z, displacement_z, rotation_x, rotation_y] = displaced;
+        let [[axial_force, shear, moment], [_, shear_z, about_minus_y], [.., torque]] = forces;
+        Ok(MemberState {
+            displacement_x,
+            displacement_y,
+            displacement_z,
+            rotation_x,
+            rotation_y,
+            rotation_z,
+            axial_force,
+            shear,
+            moment,
+            shear_z,
+            moment_y: -about_minus_y,
+            torque,
+        })
     }
 
     /// The interior of a member.
@@ -79,13 +111,18 @@ where
             largest = largest.max(displacements(*node).into_iter().map(square).sum());
         }
         for member in 0..members {
+            let placement = self.system.placement(member);
             for motion in &self.motion.members.as_ref()[member] {
                 largest = largest.max(square(motion.displacements[0]) + square(motion.displacements[1]));
             }
             let Ok(inside) = self.inside(member) else { continue };
+            // the second part of a member follows its first one
+            let next = (placement.part() == 0).then_some(member + 1).filter(|next| *next < members);
+            let second = next.filter(|next| self.system.placement(*next).part() == 1);
             let at = |distance: f64| {
                 let [along, across, _] = self.motion_at(member, distance).displacements;
-                square(along) + square(across)
+                let of_second = second.map_or(0.0, |second| square(self.motion_at(second, distance).displacements[1]));
+                square(along) + square(across) + of_second
             };
             let width = inside.length / f64::from(inside.samples());
             let places = (1..inside.samples()).map(|sample| f64::from(sample) * width);

@@ -24,8 +24,9 @@ where
     let [nodes, members] = system.sizes();
     let mut loads = system.per_member([S::zero(); 2]);
     if let Some(member) = load.member {
-        let member = system.member_of(member)?;
-        loads.as_mut()[member] = on_member(system, load, member)?;
+        for part in system.parts_of(member)? {
+            loads.as_mut()[part] = on_member(system, load, part)?;
+        }
         return Ok(loads);
     }
     let has_weight = |node: usize| {
@@ -48,13 +49,17 @@ where
     S: Oscillation<Y::Parameter>,
 {
     let density = match load.member {
-        Some(loaded) => S::from_f64(if system.member_of(loaded)? == member { 1.0 } else { 0.0 }),
+        Some(loaded) => S::from_f64(if system.parts_of(loaded)?.contains(&member) { 1.0 } else { 0.0 }),
         None => system.visit_member(member, MassPerLength).unwrap_or_default(),
     };
     if density.is_zero() {
         return Ok([S::zero(); 2]);
     }
     let placement = system.placement(member);
+    // a load does not twist
+    if placement.part() == 2 {
+        return Ok([S::zero(); 2]);
+    }
     let is_straight = placement.axes::<Y::Parameter>(0).along == placement.axes(1).along
         && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.is_of_path);
     let takes_loads = system.visit_member(member, TakesLoads).unwrap_or(false);
@@ -64,6 +69,8 @@ where
     let mut direction = [S::zero(); 6];
     direction[load.axis] = density;
     let [along, across, _] = placement.axes(0).of(direction);
+    // of a member in space the first part takes what is along it
+    let along = if placement.part() == 1 { S::zero() } else { along };
     for (part, freedom) in [(along, Freedoms::X), (across, Freedoms::Y)] {
         if part.size() > ROUNDING * density.size() && !placement.freedoms.contains(freedom) {
             return Err(MotionError::NoSuchFreedom { freedom });
