@@ -110,7 +110,7 @@ fn assert_modes(nodes: &[Node<f64>], members: &[Member<Piece>], unstable: u64, a
 }
 
 fn clamped(place: [f64; 2]) -> Node<f64> {
-    Node::at(place).held(Freedoms::ALL)
+    Node::at(place).held(Freedoms::PLANE)
 }
 
 fn link(from: usize, to: usize, stiffness: f64) -> Member<Piece> {
