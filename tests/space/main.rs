@@ -2,3 +2,7 @@
 
 mod cases;
 mod exact;
+mod laws;
+#[path = "../support/random.rs"]
+mod numbers;
+mod random;

@@ -3,6 +3,7 @@
 
 pub mod example;
 pub(crate) mod list_of_tree;
+pub(crate) mod random;
 pub(crate) mod random_tree;
 pub(crate) mod roots;
 pub(crate) mod shares;

@@ -13,6 +13,10 @@ use crate::proof::number::Number;
 use crate::proof::row::is_zero;
 use crate::proof::word::{MOST_LANES, Word, apart};
 
+/// Size of a coefficient, beside the largest one of its row, below which it says nothing of the stiffness of its variable: what rounding leaves
+/// of zero is as small. The weights of rows follow from it, and are valid whatever they are.
+const LEAST_COEFFICIENT: f64 = 1e-9;
+
 apart! {
     /// Adds a matrix over rows, given the sizes of the stiffnesses of these.
     fn add<N: Level, const F: usize, const E: usize>(
@@ -23,9 +27,10 @@ apart! {
     ) {
         let front = &mut joining.front;
         for (row, size) in rows.iter().zip(sizes) {
+            let largest = row.iter().map(|term| term.coefficient.mid.size()).fold(0.0, f64::max);
             for term in *row {
-                let square = term.coefficient.mid.size();
-                front.grow(term.variable, size * square * square);
+                let coefficient = term.coefficient.mid.size().max(LEAST_COEFFICIENT * largest);
+                front.grow(term.variable, size * coefficient * coefficient);
             }
         }
         for a in 0..F {

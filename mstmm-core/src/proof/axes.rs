@@ -93,23 +93,20 @@ impl<N: Level> Axes<N> {
     /// The axes in a plane, given the direction of the x axis of the member.
     pub(crate) fn new(plane: &MemberPlane<Exact>, along: Vector<N>) -> Self {
         let zero = [Ball::of(0.0); 3];
-        let z_axis = |up: &[Exact; 3]| {
-            let up = up.map(Ball::of_pair);
-            let part = dot(&up, &along);
-            direction([0, 1, 2].map(|k| plus(up[k], -times(part, along[k])))).0
-        };
+        // across `up` and the member: a part that vanishes is zero exactly, and not what rounding leaves of it
+        let y_axis = |up: &[Exact; 3]| direction(cross(&up.map(Ball::of_pair), &along)).0;
         match plane {
             MemberPlane::Structure => {
                 let [x, y, _] = along;
                 Axes { along, across: [-y, x, Ball::of(0.0)], ..Axes::of_structure() }
             }
             MemberPlane::First(up) => {
-                let normal = z_axis(up);
-                Axes { along, across: cross(&normal, &along), normal }
+                let across = y_axis(up);
+                Axes { along, across, normal: cross(&along, &across) }
             }
             MemberPlane::Second(up) => {
-                let across = z_axis(up);
-                Axes { along, across, normal: cross(&along, &across) }
+                let y = y_axis(up);
+                Axes { along, across: cross(&along, &y), normal: y.map(|part| -part) }
             }
             MemberPlane::Along => Axes { along, across: zero, normal: zero },
             MemberPlane::About => Axes { along, across: zero, normal: along },

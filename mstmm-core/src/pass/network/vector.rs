@@ -91,23 +91,19 @@ impl<S: Scalar> Axes<S> {
         S: Frequency<T>,
     {
         let (zero, one) = ([S::zero(); 3], S::one());
-        let z_axis = |up: &[T; 3]| {
-            let up = up.map(S::from_parameter);
-            let part = dot(up, along);
-            unit([0, 1, 2].map(|k| up[k] - product(part, along[k])))
-        };
+        let y_axis = |up: &[T; 3]| unit(cross(up.map(S::from_parameter), along));
         match plane {
             MemberPlane::Structure => {
                 let [x, y, _] = along;
                 Axes { along, across: [-y, x, S::zero()], normal: [S::zero(), S::zero(), one] }
             }
             MemberPlane::First(up) => {
-                let normal = z_axis(up);
-                Axes { along, across: cross(normal, along), normal }
+                let across = y_axis(up);
+                Axes { along, across, normal: cross(along, across) }
             }
             MemberPlane::Second(up) => {
-                let across = z_axis(up);
-                Axes { along, across, normal: cross(along, across) }
+                let y = y_axis(up);
+                Axes { along, across: cross(along, y), normal: y.map(|part| -part) }
             }
             MemberPlane::Along => Axes { along, across: zero, normal: zero },
             MemberPlane::About => Axes { along, across: zero, normal: along },
