@@ -3,6 +3,8 @@
 mod cases;
 mod exact;
 mod laws;
+mod motions;
+#[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]
 mod numbers;
 mod random;

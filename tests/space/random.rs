@@ -1,9 +1,11 @@
 //! Random structures in space, described once and built in several ways.
+#![expect(clippy::unwrap_used, reason = "all names are those of parameters")]
 
 use crate::numbers::Random;
 use mstmm::elements::{Spring, TorsionSpring};
 use mstmm::frame::{
-    Bar, End, Frame, Ground, Hinge, Point, PointMass, RigidBody, RigidLink, Roller, Section, Space, Tensor, Tie,
+    Bar, End, Frame, Ground, Hinge, Member, OfBeam, Point, PointMass, RigidBody, RigidLink, Roller, Section, Space,
+    Tensor, Tie,
 };
 use mstmm::network::{Freedoms, Support};
 
@@ -14,14 +16,26 @@ pub(crate) type Vector = [f64; 3];
 pub(crate) type Rotation = [Vector; 3];
 
 /// A beam or a bar.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Beam {
     pub(crate) ends: [usize; 2],
-    pub(crate) section: Section,
+    /// What its section names.
+    pub(crate) named: Vec<(&'static str, f64)>,
     pub(crate) up: Vector,
     pub(crate) is_bar: bool,
     /// What its output end does not share.
     pub(crate) released: Freedoms,
+}
+
+impl Beam {
+    /// Its section, with another value of one parameter.
+    pub(crate) fn section(&self, changed: Option<(&str, f64)>) -> Section {
+        let name = |section: Section, (name, value): &(&str, f64)| {
+            let other = changed.filter(|(changed, _)| changed == name);
+            section.with(name, other.map_or(*value, |(_, other)| other)).unwrap()
+        };
+        self.named.iter().fold(Section::new().up(self.up), name)
+    }
 }
 
 /// What holds a point.
@@ -83,7 +97,7 @@ impl Model {
         Model {
             places: self.places.iter().map(|place| of(*place)).collect(),
             holds: self.holds.iter().map(|(point, hold)| (*point, held(*hold))).collect(),
-            beams: self.beams.iter().map(|beam| Beam { up: of(beam.up), ..*beam }).collect(),
+            beams: self.beams.iter().map(|beam| Beam { up: of(beam.up), ..beam.clone() }).collect(),
             springs: self.springs.iter().map(|(point, along, k)| (*point, of(*along), *k)).collect(),
             turning: self.turning.iter().map(|(point, about, k)| (*point, of(*about), *k)).collect(),
             masses: self
@@ -111,19 +125,39 @@ impl Model {
         for beam in &self.beams {
             let [from, to] = beam.ends.map(|end| self.places[end]);
             if beam.is_bar {
-                cut.beams.push(*beam);
+                cut.beams.push(beam.clone());
                 continue;
             }
             cut.places.push([0, 1, 2].map(|k| from[k] + part * (to[k] - from[k])));
             let middle = cut.places.len() - 1;
-            cut.beams.push(Beam { ends: [beam.ends[0], middle], released: Freedoms::NONE, ..*beam });
-            cut.beams.push(Beam { ends: [middle, beam.ends[1]], ..*beam });
+            cut.beams.push(Beam { ends: [beam.ends[0], middle], released: Freedoms::NONE, ..beam.clone() });
+            cut.beams.push(Beam { ends: [middle, beam.ends[1]], ..beam.clone() });
         }
         cut
     }
 
+    /// Its chain of beams alone: what holds it, and no points that nothing joins.
+    pub(crate) fn beams_alone(&self) -> Model {
+        let first =
+            self.joints.iter().map(|(points, ..)| points[1]).chain(self.hinges.iter().map(|(points, ..)| points[1]));
+        let of_bodies = self.bodies.iter().map(|(points, ..)| points[1]);
+        let count = first.chain(of_bodies).min().unwrap_or(self.places.len());
+        Model {
+            places: self.places[..count].to_vec(),
+            holds: self.holds.clone(),
+            beams: self.beams.iter().filter(|beam| beam.ends.iter().all(|end| *end < count)).cloned().collect(),
+            ..Model::default()
+        }
+    }
+
     /// The frame, and its points.
     pub(crate) fn frame(&self) -> (Frame<Space>, Vec<Point<Space>>) {
+        let (frame, points, _) = self.frame_and_members();
+        (frame, points)
+    }
+
+    /// The frame, its points, and the members of its beams.
+    pub(crate) fn frame_and_members(&self) -> (Frame<Space>, Vec<Point<Space>>, Vec<Member<OfBeam>>) {
         let mut frame = Frame::new();
         let points: Vec<_> = self.places.iter().map(|place| frame.point(*place)).collect();
         for (point, held) in &self.holds {
@@ -134,13 +168,15 @@ impl Model {
                 Held::Along(along) => frame.hold(points[*point], Roller::along(along)),
             }
         }
-        for Beam { ends: [from, to], section, up, is_bar, released } in &self.beams {
-            let (from, to) = (points[*from], End::from(points[*to]).releasing(*released));
-            if *is_bar {
-                frame.member(from, to, Bar(section.up(*up)));
+        let mut members = Vec::new();
+        for beam in &self.beams {
+            let [from, to] = beam.ends.map(|end| points[end]);
+            let to = End::from(to).releasing(beam.released);
+            members.push(if beam.is_bar {
+                frame.member(from, to, Bar(beam.section(None)))
             } else {
-                frame.member(from, to, section.up(*up));
-            }
+                frame.member(from, to, beam.section(None))
+            });
         }
         for (point, along, stiffness) in &self.springs {
             frame.member(points[*point].along(*along), Ground, Spring { stiffness: *stiffness });
@@ -165,7 +201,7 @@ impl Model {
                 frame.body(tied, RigidBody { mass: *mass, inertia: Tensor::new(*inertia), centre: *centre });
             }
         }
-        (frame, points)
+        (frame, points, members)
     }
 }
 
@@ -194,27 +230,31 @@ impl Generator {
         [0, 1, 2].map(|_| 2.0 * self.random.unit() - 1.0)
     }
 
-    fn section(&mut self, is_bar: bool) -> Section {
+    fn named(&mut self, is_bar: bool) -> Vec<(&'static str, f64)> {
         let [along, bending_y, bending_z, mass] = [0; 4].map(|_| self.size());
-        let mut section = Section::new().axial_stiffness(1e3 * along).mass_per_length(mass);
-        section = section.bending_stiffness_y(bending_y).bending_stiffness_z(bending_z);
+        let mut named = vec![
+            ("axial_stiffness", 1e3 * along),
+            ("mass_per_length", mass),
+            ("bending_stiffness_y", bending_y),
+            ("bending_stiffness_z", bending_z),
+        ];
         if !is_bar {
-            section = section.torsional_stiffness(self.size()).polar_inertia_per_length(0.01 * self.size());
+            named.extend([("torsional_stiffness", self.size()), ("polar_inertia_per_length", 0.01 * self.size())]);
         }
         if self.random.chance(0.3) {
-            section = section.shear_stiffness_y(1e2 * self.size()).rotary_inertia_z(0.01 * self.size());
+            named.extend([("shear_stiffness_y", 1e2 * self.size()), ("rotary_inertia_z", 0.01 * self.size())]);
         }
         if self.random.chance(0.2) {
-            section = section.axial_force(0.1 * bending_y.min(bending_z)).foundation_stiffness_z(self.size());
+            named.extend([("axial_force", 0.1 * bending_y.min(bending_z)), ("foundation_stiffness_z", self.size())]);
         }
-        section
+        named
     }
 
     fn beam(&mut self, ends: [usize; 2]) -> Beam {
         let is_bar = self.random.chance(0.15);
-        let section = self.section(is_bar);
+        let named = self.named(is_bar);
         let released = if !is_bar && self.random.chance(0.15) { Freedoms::RZ } else { Freedoms::NONE };
-        Beam { ends, section, up: self.vector(), is_bar, released }
+        Beam { ends, named, up: self.vector(), is_bar, released }
     }
 
     fn tensor(&mut self) -> [f64; 6] {
@@ -236,8 +276,7 @@ impl Generator {
             let to = model.places.len() - 1;
             let mut beam = self.beam([from, to]);
             // what hangs on one member alone is held by that
-            (beam.is_bar, beam.released) = (false, Freedoms::NONE);
-            beam.section = self.section(false);
+            (beam.is_bar, beam.released, beam.named) = (false, Freedoms::NONE, self.named(false));
             model.beams.push(beam);
         }
         let points = model.places.len();
@@ -287,7 +326,7 @@ impl Generator {
         model.places.push(place);
         model.places.push([0, 1, 2].map(|k| place[k] + step[k] + if k == 2 { 0.7 } else { 0.0 }));
         let mut beam = self.beam([last + 1, last + 2]);
-        (beam.is_bar, beam.released, beam.section) = (false, Freedoms::NONE, self.section(false));
+        (beam.is_bar, beam.released, beam.named) = (false, Freedoms::NONE, self.named(false));
         model.beams.push(beam);
         let axis = self.vector();
         let joint = match self.random.below(5) {

@@ -1,0 +1,155 @@
+//! Motions of frames in space: closed forms, motions between ends, equilibrium, sensitivities.
+
+use crate::random::random_model;
+use mstmm::frame::{Frame, Point, Section, Space};
+use mstmm::motion::PlaneLoad;
+use mstmm::network::Support;
+use mstmm::prelude::*;
+use mstmm::search::critical_loads;
+
+const STEEL: Section = Section::new()
+    .axial_stiffness(4e6)
+    .bending_stiffness_y(3e4)
+    .bending_stiffness_z(1e4)
+    .torsional_stiffness(2e4)
+    .mass_per_length(20.0)
+    .polar_inertia_per_length(0.5);
+
+fn points<const N: usize>(frame: &mut Frame<Space>, places: [[f64; 3]; N]) -> [Point<Space>; N] {
+    places.map(|place| frame.point(place))
+}
+
+/// Oracle: the tip of a cantilever under forces, a moment and a torque, and under loads along it, `y = F l³/3EI`, `q l⁴/8EI`.
+#[test]
+fn a_cantilever_at_rest_has_its_closed_forms() {
+    let (length, [y, z, torsion]) = (2.0_f64, [1e4, 3e4, 2e4]);
+    let mut frame = Frame::new();
+    let [foot, tip] = points(&mut frame, [[0.0; 3], [length, 0.0, 0.0]]);
+    frame.hold(foot, Support::Fixed);
+    let beam = frame.member(foot, tip, STEEL);
+    let cantilever = frame.build().unwrap();
+    let at_rest = |load, entry| cantilever.frequency_response(load, entry).unwrap().at(0.0).unwrap();
+    let cubed = length.powi(3) / 3.0;
+    let near = |own: f64, exact: f64| assert!((own - exact).abs() <= 1e-14 * exact.abs(), "{own} {exact}");
+    near(at_rest(tip.force_y(), tip.displacement_y()), cubed / y);
+    near(at_rest(tip.force_z(), tip.displacement_z()), cubed / z);
+    near(at_rest(tip.force_z(), tip.rotation_y()), -length * length / 2.0 / z);
+    near(at_rest(tip.torque_x(), tip.rotation_x()), length / torsion);
+    near(at_rest(tip.force_x(), tip.displacement_x()), length / 4e6);
+    near(at_rest(beam.uniform_load_z(), tip.displacement_z()), length.powi(4) / 8.0 / z);
+    near(at_rest(beam.uniform_load_y(), tip.displacement_y()), length.powi(4) / 8.0 / y);
+    near(at_rest(beam.uniform_load_x(), tip.displacement_x()), length * length / 2.0 / 4e6);
+    near(at_rest(PlaneLoad::self_weight_z(), foot.reaction_z()), -40.0);
+    near(at_rest(PlaneLoad::self_weight_z(), foot.reaction_torque_y()), 40.0 * length / 2.0);
+    // internal forces at the foot: M = EI Θ', Q = M' of the plane, of z with the signs of the right hand
+    near(at_rest(tip.force_y(), beam.input().moment_z()), length);
+    near(at_rest(tip.force_y(), beam.input().shear_y()), -1.0);
+    near(at_rest(tip.force_z(), beam.input().moment_y()), -length);
+    near(at_rest(tip.force_z(), beam.input().shear_z()), -1.0);
+    near(at_rest(tip.torque_x(), beam.input().torque()), 1.0);
+    near(at_rest(tip.force_x(), beam.input().axial_force()), 1.0);
+}
+
+/// Oracle: Euler's column, `N = -π² EI/4l²` of the weaker plane.
+#[test]
+fn a_column_buckles_in_its_weaker_plane() {
+    let length = 2.0;
+    let column = |load: f64| {
+        let mut frame = Frame::new();
+        let [foot, tip] = points(&mut frame, [[0.0; 3], [0.0, 0.0, length]]);
+        frame.hold(foot, Support::Fixed);
+        frame.member(foot, tip, STEEL.axial_force(-load).up([1.0, 0.0, 0.0]));
+        Ok(frame.build().unwrap())
+    };
+    let euler = std::f64::consts::PI.powi(2) / (4.0 * length * length);
+    let found = critical_loads::<2, _>(0.0..=3e4, column).unwrap();
+    for (own, stiffness) in found.iter().zip([1e4, 3e4]) {
+        assert!((own.factor / (euler * stiffness) - 1.0).abs() < 1e-14, "{own:?}");
+    }
+    assert_eq!(found.len(), 2);
+}
+
+/// The motion between the ends of a member goes over into that of its ends.
+#[test]
+fn motions_inside_meet_those_of_the_ends() {
+    let mut compared = 0;
+    for seed in 0..40 {
+        let model = random_model(seed, 1.0);
+        let (frame, points, members) = model.frame_and_members();
+        let structure = frame.build().unwrap();
+        let load = points[1].force_z();
+        let states = structure.frequency_response(load, points[1].displacement_z()).unwrap().states(0.7).unwrap();
+        let beams = model.beams.iter().zip(&members).filter(|(beam, _)| !beam.is_bar && beam.released.is_empty());
+        for (beam, member) in beams {
+            let [from, to] = beam.ends.map(|end| model.places[end]);
+            let length = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
+            for (end, at) in [(0, 0.0), (1, length)] {
+                let (inside, point) = (states.along(*member, at).unwrap(), points[beam.ends[end]]);
+                let own = if end == 0 { member.input() } else { member.output() };
+                let value = |entry| states.value(entry).unwrap_or_default();
+                let pairs = [
+                    (inside.displacement_x, value(point.displacement_x())),
+                    (inside.displacement_y, value(point.displacement_y())),
+                    (inside.displacement_z, value(point.displacement_z())),
+                    (inside.rotation_x, value(point.rotation_x())),
+                    (inside.rotation_y, value(point.rotation_y())),
+                    (inside.rotation_z, value(point.rotation_z())),
+                    (inside.axial_force, value(own.axial_force())),
+                    (inside.shear, value(own.shear_y())),
+                    (inside.shear_z, value(own.shear_z())),
+                    (inside.moment, value(own.moment_z())),
+                    (inside.moment_y, value(own.moment_y())),
+                    (inside.torque, value(own.torque())),
+                    (value(own.displacement_z()), value(point.displacement_z())),
+                    (value(own.rotation_x()), value(point.rotation_x())),
+                ];
+                let largest = pairs.iter().fold(1e-3, |sum: f64, (_, own)| sum.max(own.abs()));
+                for (place, (one, other)) in pairs.into_iter().enumerate() {
+                    assert!((one - other).abs() <= 1e-10 * largest, "{seed} {place}: {one} {other} of {largest}");
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+/// Oracle: differences. Besides, stiffnesses together change ω by `ω/2`, and inertias by as much the other way.
+#[test]
+fn sensitivities_are_slopes() {
+    const INERTIAS: [&str; 3] = ["mass_per_length", "polar_inertia_per_length", "rotary_inertia_z"];
+    for seed in 0..6 {
+        let model = random_model(seed, 1.0).beams_alone();
+        let (frame, _, members) = model.frame_and_members();
+        let structure = frame.build().unwrap();
+        let roots = structure.frequencies(4).unwrap();
+        let Some(root) = roots.iter().find(|root| root.multiplicity == 1 && root.omega > 0.0) else { continue };
+        let sensitivities = structure.sensitivity(root).unwrap();
+        let mut sums = [0.0; 2];
+        for (beam, member) in model.beams.iter().zip(&members) {
+            assert!(sensitivities.of(*member, "length").is_err() && sensitivities.of(*member, "tension").is_err());
+            for &(name, value) in &beam.named {
+                let is_inertia = INERTIAS.contains(&name);
+                let slope = sensitivities.of(*member, name).unwrap();
+                sums[usize::from(is_inertia)] += slope * value;
+                let changed = |factor: f64| {
+                    let mut other = frame.clone();
+                    let section = beam.section(Some((name, value * factor)));
+                    if beam.is_bar {
+                        other.replace(*member, mstmm::frame::Bar(section));
+                    } else {
+                        other.replace(*member, section);
+                    }
+                    let found = other.build().unwrap().frequencies(4).unwrap();
+                    found.iter().find(|own| own.index == root.index).unwrap().omega
+                };
+                let difference = (changed(1.0 + 1e-5) - changed(1.0 - 1e-5)) / 2e-5;
+                let error = (slope * value - difference).abs();
+                assert!(error <= 1e-8 * root.omega, "{seed} {name}: {} {difference}", slope * value);
+            }
+        }
+        for (sum, half) in sums.into_iter().zip([0.5, -0.5]) {
+            assert!((sum / root.omega - half).abs() < 1e-12, "{seed}: {sums:?} of {}", root.omega);
+        }
+    }
+}
