@@ -142,7 +142,6 @@ mod tests {
         assert_eq!(Space::Planar.displacements(), [X, Y, Theta]);
         assert_eq!(Space::Planar.forces(), [M, Qx, Q]);
         assert_eq!(Space::NONE.coordinates(), []);
-        assert_eq!(Freedoms::X.union(Freedoms::Z).to_string(), "x, z");
     }
 
     #[test]

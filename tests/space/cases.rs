@@ -121,19 +121,19 @@ fn add(frame: &mut Frame<Space>, [from, to]: [End<Space>; 2], section: &Value, u
         frame.member(from, to, TautString(own.tension(named("P").unwrap())));
         return;
     }
-    let optional: [(&str, fn(Section, f64) -> Section); 8] = [
-        ("GAy", Section::shear_stiffness_y),
-        ("GAz", Section::shear_stiffness_z),
-        ("rIy", Section::rotary_inertia_y),
-        ("rIz", Section::rotary_inertia_z),
-        ("P", Section::axial_force),
-        ("kwy", Section::foundation_stiffness_y),
-        ("kwz", Section::foundation_stiffness_z),
-        ("loss", Section::loss_factor),
+    let optional = [
+        ("GAy", "shear_stiffness_y"),
+        ("GAz", "shear_stiffness_z"),
+        ("rIy", "rotary_inertia_y"),
+        ("rIz", "rotary_inertia_z"),
+        ("P", "axial_force"),
+        ("kwy", "foundation_stiffness_y"),
+        ("kwz", "foundation_stiffness_z"),
+        ("loss", "loss_factor"),
     ];
     own = own.bending_stiffness_y(named("EIy").unwrap()).bending_stiffness_z(named("EIz").unwrap_or(1e12));
-    for (name, set) in optional {
-        own = named(name).map_or(own, |value| set(own, value));
+    for (name, parameter) in optional {
+        own = named(name).map_or(own, |value| own.with(parameter, value).unwrap());
     }
     match named("GJ") {
         Some(stiffness) => {

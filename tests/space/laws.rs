@@ -1,4 +1,5 @@
 //! Laws of frames in space: a structure is the same wherever it stands, and a beam the same as its pieces.
+#![expect(clippy::unwrap_used, clippy::panic, reason = "all structures are right")]
 
 use crate::random::{Model, random_model, rotation, turned};
 use mstmm::frame::{InFrame, Point, Space, Structure};

@@ -3,6 +3,7 @@
 mod cases;
 mod exact;
 mod laws;
+mod messages;
 mod motions;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]

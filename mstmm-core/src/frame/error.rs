@@ -97,20 +97,6 @@ impl fmt::Display for Mistake {
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
-            Mistake::MissingInSpace { parameter } => {
-                write!(
-                    f,
-                    "`{parameter}` is missing: a beam in space stretches, turns and bends both ways, so it has `axial_stiffness`, \
-                     `torsional_stiffness`, `bending_stiffness` or `bending_stiffness_y` and `_z`, `mass_per_length`, \
-                     `polar_inertia_per_length`; a `Bar` does not turn"
-                )
-            }
-            Mistake::Twice { parameter } => {
-                write!(
-                    f,
-                    "`{parameter}` is named, and that without an index, which stands for both planes: name one of them"
-                )
-            }
             Mistake::Foreign { element, parameter } => write!(f, "a {element} has no `{parameter}`"),
             Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
             Mistake::ShearStiffness { value } => write!(f, "shear_stiffness is {value}, but must be positive"),
@@ -123,6 +109,42 @@ impl fmt::Display for Mistake {
                 write!(
                     f,
                     "its direction is zero, not finite, beyond 1e±70, or not its own to choose, as that of a beam"
+                )
+            }
+            Mistake::SamePlace => {
+                write!(f, "both ends are at one place: beams and strings have a length, a spring there a direction")
+            }
+            Mistake::TwoPlaces => write!(f, "the ends of a joint are at one place, and its are at two"),
+            Mistake::RigidHinge => write!(f, "it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`"),
+            Mistake::Motions => {
+                write!(f, "springs that move and springs that turn meet at this point of a path, or nothing does")
+            }
+            Mistake::Damped => write!(f, "it has damping: `build_damped()` has eigenvalues"),
+            Mistake::NoPoint => write!(f, "it ties no point"),
+            Mistake::HeldTwice => write!(f, "it is held twice: name all that is held at once"),
+            Mistake::Apart => write!(f, "nothing joins it to the rest: build two structures"),
+            Mistake::Empty => write!(f, "the frame has no member"),
+            in_space => in_space.fmt_in_space(f),
+        }
+    }
+}
+
+impl Mistake {
+    /// What is wrong in space alone.
+    fn fmt_in_space(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistake::MissingInSpace { parameter } => {
+                write!(
+                    f,
+                    "`{parameter}` is missing: a beam in space stretches, turns and bends both ways, so it has `axial_stiffness`, \
+                     `torsional_stiffness`, `bending_stiffness` or `bending_stiffness_y` and `_z`, `mass_per_length`, \
+                     `polar_inertia_per_length`; a `Bar` does not turn"
+                )
+            }
+            Mistake::Twice { parameter } => {
+                write!(
+                    f,
+                    "`{parameter}` is named, and that without an index, which stands for both planes: name one of them"
                 )
             }
             Mistake::OtherDimension => write!(f, "it names a stiffness, a damping or an `up` of another dimension"),
@@ -148,19 +170,7 @@ impl fmt::Display for Mistake {
             Mistake::Tensor => {
                 write!(f, "its tensor of inertia is not finite, or indefinite: a moment about some axis is negative")
             }
-            Mistake::SamePlace => {
-                write!(f, "both ends are at one place: beams and strings have a length, a spring there a direction")
-            }
-            Mistake::TwoPlaces => write!(f, "the ends of a joint are at one place, and its are at two"),
-            Mistake::RigidHinge => write!(f, "it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`"),
-            Mistake::Motions => {
-                write!(f, "springs that move and springs that turn meet at this point of a path, or nothing does")
-            }
-            Mistake::Damped => write!(f, "it has damping: `build_damped()` has eigenvalues"),
-            Mistake::NoPoint => write!(f, "it ties no point"),
-            Mistake::HeldTwice => write!(f, "it is held twice: name all that is held at once"),
-            Mistake::Apart => write!(f, "nothing joins it to the rest: build two structures"),
-            Mistake::Empty => write!(f, "the frame has no member"),
+            _ => Ok(()),
         }
     }
 }

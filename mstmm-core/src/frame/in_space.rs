@@ -67,8 +67,12 @@ fn in_plane(section: &Section, plane: usize) -> Result<Section, Mistake> {
     Ok(own)
 }
 
-/// What a parameter of a part of a beam was called in a section.
+/// What a parameter of a part of a beam was called in a section, or that of a part of a hinge.
 pub(crate) fn called_in(named: u32, part: usize, parameter: &'static str) -> &'static str {
+    if named == 0 {
+        let of_hinge = OF_HINGES.into_iter().find(|(_, of, own)| *of == part && *own == parameter);
+        return of_hinge.map_or(parameter, |(name, ..)| name);
+    }
     let pair = PAIRS.into_iter().find(|pair| name_of(pair.both) == parameter);
     let of_plane = pair.and_then(|pair| pair.planes.get(part).copied()).filter(|own| named >> *own as u32 & 1 == 1);
     of_plane.map_or(parameter, name_of)

@@ -104,8 +104,9 @@ impl Parts {
             let [u, v, w] = up;
             let across = [y * w - z * v, z * u - x * w, x * v - y * u];
             let size = |vector: [f64; 3]| vector.iter().map(|part| part * part).sum::<f64>();
+            let [across, least] = [size(across), PARALLEL * PARALLEL * size(along) * size(up)];
             // a NaN is no direction either
-            !(size(across) > PARALLEL * PARALLEL * size(along) * size(up))
+            across.is_nan() || across <= least
         };
         let up = match self.up {
             None if is_along(UP) && self.is_symmetric => UP_OF_VERTICAL,

@@ -80,12 +80,12 @@ pub enum MotionError {
     NoSuchParameter,
     /// A point of a plane structure without this motion, or the end of a member that does not share it with its node.
     NoSuchFreedom {
-        /// The motion: along x, along y, or the rotation; of a member along it, across it, or the rotation.
+        /// The motion: along or about x, y or z; of a member along it, across it, or the rotation.
         freedom: Freedoms,
     },
     /// A point of a plane structure that no support holds in this freedom.
     NotHeld {
-        /// The freedom: along x, along y, or the rotation.
+        /// The freedom: along or about x, y or z.
         freedom: Freedoms,
     },
     /// A reaction to the motion of a support, which has a part that grows with the frequency and is no sum over modes.
@@ -224,6 +224,9 @@ impl MotionError {
                 let name = match freedom {
                     Freedoms::X => "along x",
                     Freedoms::Y => "along y",
+                    Freedoms::Z => "along z",
+                    Freedoms::RX => "against rotation about x",
+                    Freedoms::RY => "against rotation about y",
                     _ => "against rotation",
                 };
                 write!(f, "no support holds this point {name}: there is no reaction, and nothing that could move it")
@@ -238,6 +241,9 @@ impl MotionError {
                 let name = match freedom {
                     Freedoms::X => "displacement or force along x",
                     Freedoms::Y => "displacement or force along y",
+                    Freedoms::Z => "displacement or force along z",
+                    Freedoms::RX => "rotation or moment about x",
+                    Freedoms::RY => "rotation or moment about y",
                     _ => "rotation or moment",
                 };
                 write!(f, "this point has no {name}: no element there brings it, or a joint releases it")

@@ -41,6 +41,9 @@ pub(crate) struct Nodes<const M: usize, const TWO: usize> {
 /// Displacements along and across a member and rotations of its ends: how many there are.
 const LOCAL: usize = 3;
 
+/// Displacements along and across a member and the rotation, of both ends.
+type BothEnds<N, const M: usize> = [[Row<N, M>; LOCAL]; 2];
+
 /// The displacements and the rotations of a place, along and about x, y and z.
 struct Motion<R> {
     displacements: [R; 3],
@@ -152,6 +155,28 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         rows
     }
 
+    /// Displacements along and across a member and rotations of both ends, as far as they are wanted, and its length.
+    fn both<J: Join>(
+        &mut self,
+        ends: &[MemberEnd; 2],
+        (wanted, plane): (Freedoms, MemberPlane<Exact>),
+        own: &mut Released,
+        joining: &mut J,
+    ) -> (BothEnds<J::Alone, M>, Ball<J::Alone>) {
+        let turns_in_plane = wanted.is(Freedoms::RZ) && plane == MemberPlane::Structure;
+        let (mut axes, mut length) = (Axes::of_structure(), Ball::of(0.0));
+        if !turns_in_plane && ends.iter().any(|end| end.along.is_none()) {
+            let (along, size) = direction(difference_of(ends[0].place, ends[1].place));
+            (axes, length) = (Axes::new(&plane, along), size);
+        }
+        let rows = [0, 1].map(|end| {
+            let turned = ends[end].along.filter(|_| !turns_in_plane);
+            let own_axes = turned.map(|along| Axes::new(&plane, direction(along.map(Ball::of_pair)).0));
+            self.local(&ends[end], own_axes.as_ref().unwrap_or(&axes), wanted, own, joining)
+        });
+        (rows, length)
+    }
+
     /// A member joins.
     #[inline(never)]
     pub(crate) fn member<J: Join>(
@@ -164,17 +189,7 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
     ) {
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = if own_part.is_some() { freedoms } else { freedoms_of(numbers) };
-        let turns_in_plane = wanted.is(Freedoms::RZ) && plane == MemberPlane::Structure;
-        let (mut axes, mut length) = (Axes::of_structure(), Ball::of(0.0));
-        if !turns_in_plane && ends.iter().any(|end| end.along.is_none()) {
-            let (along, size) = direction(difference_of(ends[0].place, ends[1].place));
-            (axes, length) = (Axes::new(&plane, along), size);
-        }
-        let [first, second] = [0, 1].map(|end| {
-            let turned = ends[end].along.filter(|_| !turns_in_plane);
-            let own_axes = turned.map(|along| Axes::new(&plane, direction(along.map(Ball::of_pair)).0));
-            self.local(&ends[end], own_axes.as_ref().unwrap_or(&axes), wanted, &mut own, joining)
-        });
+        let ([first, second], length) = self.both(ends, (wanted, plane), &mut own, joining);
         let (numbers, damping) = numbers.parted();
         match &numbers {
             MemberNumbers::Other if own_part.is_some() => {

@@ -63,3 +63,6 @@ struct Responses;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/signs.md")]
 struct Signs;
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/space.md")]
+struct FramesInSpace;

@@ -17,6 +17,7 @@ mod order;
 mod overall;
 mod overall_network;
 mod own;
+mod part;
 mod placed;
 mod placed_node;
 mod placement;
@@ -49,6 +50,8 @@ pub(crate) use node::flat;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;
+#[cfg(feature = "std")]
+pub(crate) use part::Part;
 pub use placed::{PerMember, PerNode, Placed, PlacedCharts, PlacedMotions};
 pub use placed_node::PlacedNode;
 pub use placement::Placement;
@@ -61,7 +64,7 @@ pub use sketch::{
     SketchedSupport,
 };
 pub use stiffness::StiffnessModel;
-pub use structure::{InNetwork, Network};
 #[cfg(feature = "std")]
-pub(crate) use structure::{Part, is_direction};
+pub(crate) use structure::is_direction;
+pub use structure::{InNetwork, Network};
 pub use visit::visit_network;

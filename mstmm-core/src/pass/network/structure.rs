@@ -6,7 +6,7 @@ use crate::element::{
 #[cfg(feature = "std")]
 use crate::element::{MemberSlopes, MemberWork};
 use crate::model::{FrequencyEstimates, MemberPlane, Spot, is_size_of_direction};
-use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Scalar, Scaled, Single};
+use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Real, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::evaluate::network_pass;
@@ -18,6 +18,7 @@ use crate::pass::network::motions::Motions;
 use crate::pass::network::node::Node;
 use crate::pass::network::order::Order;
 use crate::pass::network::overall::PlacedTransfers;
+use crate::pass::network::part::Part;
 use crate::pass::network::placed::{Placed, PlacedCharts, PlacedMotions};
 use crate::pass::network::placed_node::{PlacedNode, XYZ};
 use crate::pass::network::placement::{Placement, SpatialEnd, is_finite};
@@ -176,11 +177,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let origin = PlacedNode::at([<E::Parameter as Scalar>::from_f64(0.0); 3]);
         let mut own_nodes = M::per_node(node_count, origin);
         own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
-        let (mut of_nodes, mut of_members) = (M::per_node(node_count, 0), M::per_member(member_count, 0));
-        of_nodes.as_mut().iter_mut().zip(motions.as_ref()).for_each(|(count, motions)| *count = motions.count);
-        let ends = of_members.as_mut().iter_mut().zip(placements.as_ref());
-        ends.for_each(|(count, placement)| *count = placement.freedoms.count());
-        let width = order.get().width(of_nodes.as_ref(), of_members.as_ref());
+        let width = width::<M, _>(&order.get(), motions.as_ref(), placements.as_ref());
         let mut estimates = FrequencyEstimates::default();
         built.as_ref().iter().flatten().for_each(|member| E::estimate(member, &mut estimates));
         nodes.iter().for_each(|node| node.estimate(&mut estimates));
@@ -219,18 +216,13 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
     }
 }
 
-/// A member in one plane, or a part of one: an element between two ends.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Part<E: MemberElement> {
-    pub(crate) ends: [SpatialEnd<E::Parameter>; 2],
-    pub(crate) plane: MemberPlane<E::Parameter>,
-    pub(crate) element: E,
-}
-
-impl<E: MemberElement> From<Member<E>> for Part<E> {
-    fn from(Member { ends, element }: Member<E>) -> Self {
-        Part { ends: ends.map(SpatialEnd::from), plane: MemberPlane::Structure, element }
-    }
+/// The largest number of unknowns at once.
+fn width<M: Memory, T: Real>(order: &NetworkOrder<'_>, motions: &[Motions<T>], placements: &[Placement<T>]) -> usize {
+    let (mut of_nodes, mut of_members) = (M::per_node(motions.len(), 0), M::per_member(placements.len(), 0));
+    of_nodes.as_mut().iter_mut().zip(motions).for_each(|(count, motions)| *count = motions.count);
+    let ends = of_members.as_mut().iter_mut().zip(placements);
+    ends.for_each(|(count, placement)| *count = placement.freedoms.count());
+    order.width(of_nodes.as_ref(), of_members.as_ref())
 }
 
 /// Checks the numbers of a node.
