@@ -84,6 +84,15 @@ impl<T: Parameter> Motions<T> {
         motions
     }
 
+    /// Whether all are motions in the plane of x and y.
+    pub(crate) fn is_in_plane(&self) -> bool {
+        let is_flat = |direction: &Direction<T>| match direction {
+            Direction::Of(place) => Freedoms::PLANE.contains(Freedoms::EACH[*place]),
+            Direction::Along([.., z]) => z.vanishes().all(),
+        };
+        self.directions.iter().take(self.count).all(is_flat)
+    }
+
     /// λ² times the mass matrix of the body of a node over its motions, if it has one.
     pub(crate) fn body<S: Frequency<T>>(&self, node: &PlacedNode<T>, lambda_squared: S) -> Option<[Six<S>; 6]> {
         node.has_body().then(|| {

@@ -172,6 +172,8 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
             .map_err(|node| refuse(NetworkError::Apart { node }))
             .ok()?;
         stiffness.arrange(&order.get());
+        #[cfg(feature = "std")]
+        stiffness.set_space(nodes, motions.as_ref(), &placements.as_ref()[..member_count]);
         let ends = &mut placements.as_mut()[..member_count];
         tie(&mut motions.as_mut()[..node_count], ends, stiffness.numbers());
         let origin = PlacedNode::at([<E::Parameter as Scalar>::from_f64(0.0); 3]);

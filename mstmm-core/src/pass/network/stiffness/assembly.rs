@@ -42,7 +42,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
 
     /// Adds a stiffness of a displacement, given what that is of the motions of its node.
     #[inline(always)]
-    pub(super) fn add_own(&mut self, own: S, [first, count]: [usize; 2], parts: &[f64; 3]) {
+    pub(super) fn add_own<const R: usize>(&mut self, own: S, [first, count]: [usize; 2], parts: &[f64; R]) {
         for (k, part) in parts[..count].iter().enumerate() {
             let term = own * S::from_f64(*part);
             let start = row(first + k) + first;
@@ -54,7 +54,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
 
     /// Adds a stiffness between two displacements, given what these are of the motions of their nodes.
     #[inline(always)]
-    pub(super) fn add_across(&mut self, across: S, places: [[usize; 2]; 2], rows: [&[f64; 3]; 2]) {
+    pub(super) fn add_across<const R: usize>(&mut self, across: S, places: [[usize; 2]; 2], rows: [&[f64; R]; 2]) {
         let [[first, count], [other_first, other_count]] = places;
         for (k, part) in rows[0][..count].iter().enumerate() {
             let term = across * S::from_f64(*part);
@@ -132,7 +132,7 @@ impl<S: Scalar> StiffnessFront<'_, S> {
 
     /// Adds an entry and its mirror image, which on the diagonal is the same place.
     #[inline(always)]
-    fn add(&mut self, [one, other]: [usize; 2], term: S) {
+    pub(super) fn add(&mut self, [one, other]: [usize; 2], term: S) {
         let place = place(one, other);
         self.entries[place] += term;
         if one == other {

@@ -5,14 +5,18 @@ use crate::pass::network::stiffness::group::{Group, Set};
 use crate::pass::network::stiffness::total::StiffnessTotal;
 use crate::structure::triangle::{place, row};
 
-/// Most variables that leave together.
+/// Most variables of the plane that leave together, and of space.
 const GROUP: usize = 3;
+#[cfg(feature = "std")]
+const LARGEST: usize = 6;
+#[cfg(not(feature = "std"))]
+const LARGEST: usize = GROUP;
 
 /// Memory for a front of up to `W` variables, with so many entries.
 pub(super) struct StiffnessMemory<S: Scalar, const W: usize, const ENTRIES: usize> {
     entries: [S; ENTRIES],
     places: [usize; W],
-    solved: [[S; GROUP]; W],
+    solved: [[S; LARGEST]; W],
 }
 
 impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTRIES> {
@@ -20,7 +24,7 @@ impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTR
     #[inline(always)]
     pub(super) fn new() -> Self {
         const { assert!(ENTRIES == row(W)) };
-        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); GROUP]; W] }
+        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); LARGEST]; W] }
     }
 
     /// An empty front of up to so many variables in this memory.
@@ -42,7 +46,7 @@ pub(super) struct StiffnessFront<'r, S: Scalar> {
     pub(super) entries: &'r mut [S],
     /// The places of the variables that are coupled to those that leave, and their entries there over the pivots.
     places: &'r mut [usize],
-    solved: &'r mut [[S; GROUP]],
+    solved: &'r mut [[S; LARGEST]],
     pub(super) total: StiffnessTotal<S>,
 }
 
@@ -51,32 +55,43 @@ impl<S: Scalar> StiffnessFront<'_, S> {
     #[inline(always)]
     pub(super) fn eliminate(&mut self, group: &Group) {
         match group.places() {
-            [first, GROUP] => self.pivot_on([first, GROUP], group.beside),
-            places => self.pivot_on(places, group.beside),
+            [first, GROUP] => self.pivot_on::<GROUP>([first, GROUP], group.beside),
+            places => self.pivot_on::<GROUP>(places, group.beside),
+        }
+    }
+
+    /// Eliminates up to six variables.
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(super) fn eliminate_in_space(&mut self, group: &Group) {
+        match group.places() {
+            [first, LARGEST] => self.pivot_on::<LARGEST>([first, LARGEST], group.beside),
+            places => self.pivot_on::<LARGEST>(places, group.beside),
         }
     }
 
     /// Pivots on variables, given their places, from the last one to the first one, and those that they are coupled to.
     #[inline(always)]
-    fn pivot_on(&mut self, [first, count]: [usize; 2], mut set: Set) {
-        let own = self.take_pivots(first, count);
+    fn pivot_on<const G: usize>(&mut self, [first, count]: [usize; 2], mut set: Set) {
+        let own = self.take_pivots::<G>(first, count);
         let mut beside = 0;
         while set != 0 {
             let other = set.trailing_zeros() as usize;
             set &= set - 1;
-            let mut factors = [S::zero(); GROUP];
+            let mut factors = [S::zero(); G];
             for (k, factor) in factors[..count].iter_mut().enumerate() {
                 // its place is free then
                 *factor = core::mem::replace(&mut self.entries[place(other, first + k)], S::zero());
             }
-            let mut solved = [S::zero(); GROUP];
+            let mut solved = [S::zero(); G];
             for k in (0..count).rev() {
                 for l in k + 1..count {
                     factors[k] -= factors[l] * own[l][k];
                 }
                 solved[k] = factors[k] * own[k][k];
             }
-            (self.places[beside], self.solved[beside]) = (other, solved);
+            self.places[beside] = other;
+            self.solved[beside][..G].copy_from_slice(&solved);
             beside += 1;
             let start = row(other);
             for (other, solved) in self.places[..beside].iter().zip(self.solved.iter()) {
@@ -90,14 +105,14 @@ impl<S: Scalar> StiffnessFront<'_, S> {
 
     /// Takes the pivots of a group. Returns their inverses, each behind its row over the pivot.
     #[inline(always)]
-    fn take_pivots(&mut self, first: usize, count: usize) -> [[S; GROUP]; GROUP] {
-        let mut own = [[S::zero(); GROUP]; GROUP];
+    fn take_pivots<const G: usize>(&mut self, first: usize, count: usize) -> [[S; G]; G] {
+        let mut own = [[S::zero(); G]; G];
         for k in 0..count {
             for (l, own) in own[k][..=k].iter_mut().enumerate() {
                 *own = core::mem::replace(&mut self.entries[row(first + k) + first + l], S::zero());
             }
         }
-        let (mut product, mut pivots) = (S::one(), [S::one(); GROUP]);
+        let (mut product, mut pivots) = (S::one(), [S::one(); G]);
         for pivot in (0..count).rev() {
             self.count(own[pivot][pivot]);
             product *= own[pivot][pivot];

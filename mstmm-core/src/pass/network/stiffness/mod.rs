@@ -8,6 +8,8 @@ mod assembly;
 mod block;
 mod front;
 mod group;
+#[cfg(feature = "std")]
+mod in_space;
 mod joined;
 mod member;
 mod model;

@@ -8,12 +8,11 @@ use crate::pass::network::motions::Motions;
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::stiffness::arrangement::arrange;
+#[cfg(feature = "std")]
+use crate::pass::network::stiffness::in_space::SpatialRoom;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::node::StiffnessNode;
-use mstmm_plan::{Freedoms, NetworkOrder};
-
-/// Most motions of a node of the plane.
-const MOST_IN_PLANE: usize = Freedoms::SINGLE.len();
+use mstmm_plan::NetworkOrder;
 
 /// Memory for a network in numbers, in the order in which a pass needs them.
 #[derive(Clone, Debug)]
@@ -27,6 +26,9 @@ pub(crate) struct StiffnessRoom<M: Memory> {
     width: Option<usize>,
     /// Whether all nodes and members move in one plane.
     is_flat: bool,
+    /// What nodes and members have in space.
+    #[cfg(feature = "std")]
+    space: SpatialRoom,
 }
 
 impl<M: Memory> StiffnessRoom<M> {
@@ -40,12 +42,14 @@ impl<M: Memory> StiffnessRoom<M> {
             parting: M::per_member(members, 0),
             width: None,
             is_flat: true,
+            #[cfg(feature = "std")]
+            space: SpatialRoom::default(),
         }
     }
 
     /// Keeps a node.
     pub(crate) fn set_node<T: Real>(&mut self, index: usize, node: &PlacedNode<T>, motions: &Motions<T>) {
-        self.is_flat &= motions.count <= MOST_IN_PLANE;
+        self.is_flat &= motions.is_in_plane();
         self.nodes.as_mut()[index] = StiffnessNode::new(node, motions);
     }
 
@@ -60,12 +64,26 @@ impl<M: Memory> StiffnessRoom<M> {
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
         let StiffnessRoom { nodes, members, joining, parting, width, is_flat, .. } = self;
         let arranged = arrange(order, nodes.as_mut(), members.as_mut(), [joining.as_mut(), parting.as_mut()]);
-        *width = arranged.filter(|_| *is_flat);
+        // without `std` there is no room for what a structure in space has besides
+        *width = arranged.filter(|_| *is_flat || cfg!(feature = "std"));
     }
 
     /// Whether all nodes and members move in one plane.
     pub(crate) fn is_flat(&self) -> bool {
         self.is_flat
+    }
+
+    /// Keeps what nodes and parts of members have in space, if they move there.
+    #[cfg(feature = "std")]
+    pub(crate) fn set_space<T: Real>(
+        &mut self,
+        nodes: &[PlacedNode<T>],
+        motions: &[Motions<T>],
+        placements: &[Placement<T>],
+    ) {
+        if !self.is_flat {
+            self.space = SpatialRoom::new(nodes, motions, placements);
+        }
     }
 
     /// The members in numbers.
@@ -77,6 +95,8 @@ impl<M: Memory> StiffnessRoom<M> {
     pub(crate) fn model<'a>(&'a self, order: &NetworkOrder<'a>) -> Option<StiffnessModel<'a>> {
         let StiffnessRoom { nodes, members, joining, parting, width, .. } = self;
         (*width).map(|width| StiffnessModel {
+            #[cfg(feature = "std")]
+            space: (!self.is_flat).then_some(&self.space),
             nodes: nodes.as_ref(),
             members: members.as_ref(),
             order: order.nodes,
@@ -98,4 +118,7 @@ pub struct StiffnessModel<'a> {
     pub(super) parting: &'a [u32],
     /// The largest number of variables in a front.
     pub(super) width: usize,
+    /// What nodes and members have in space; none in a plane structure.
+    #[cfg(feature = "std")]
+    pub(super) space: Option<&'a SpatialRoom>,
 }

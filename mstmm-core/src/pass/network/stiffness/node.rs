@@ -4,7 +4,6 @@ use crate::number::Real;
 use crate::pass::network::motions::Motions;
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::stiffness::group::Group;
-use mstmm_plan::Freedoms;
 
 /// The motions of a node and the inertia of its body.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +26,7 @@ impl StiffnessNode {
 
     /// A node that is not in the front yet.
     pub(super) fn new<T: Real>(node: &PlacedNode<T>, motions: &Motions<T>) -> Self {
-        let masses = (node.has_body() && motions.count <= Freedoms::SINGLE.len()).then(|| {
+        let masses = (node.has_body() && motions.is_in_plane()).then(|| {
             let rows = motions.masses::<T>(node).map(|row| row.map(T::to_f64));
             [rows[0][0], rows[1][0], rows[1][1], rows[2][0], rows[2][1], rows[2][2]]
         });

@@ -54,6 +54,10 @@ impl Waving {
             MemberNumbers::Line(freedom, LineNumbers { length, stiffness, inertia, foundation }) => {
                 Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation].map(of)))
             }
+            MemberNumbers::LineBetween(freedom, LineNumbers { stiffness, inertia, foundation, .. }) => {
+                let [stiffness, inertia, foundation] = [stiffness, inertia, foundation].map(of);
+                Waving::Line(freedom, LineWave::new([length, stiffness, inertia, foundation]))
+            }
             MemberNumbers::Spring(freedom, stiffness) => {
                 Waving::Line(freedom, LineWave { inertia: 0.0, foundation: 0.0, stiffness: of(stiffness) })
             }

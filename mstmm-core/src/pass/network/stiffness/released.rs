@@ -2,7 +2,7 @@
 
 use crate::number::Scalar;
 use crate::pass::network::stiffness::front::StiffnessFront;
-use crate::pass::network::stiffness::member::StiffnessMember;
+use crate::pass::network::stiffness::member::{Seat, StiffnessMember};
 use crate::pass::network::stiffness::waves::{Bending, Line};
 
 /// The dynamic stiffness of a member over `N` freedoms of its ends.
@@ -13,6 +13,13 @@ pub(super) struct OwnStiffness<S: Scalar, const N: usize> {
 }
 
 impl<S: Scalar> OwnStiffness<S, 2> {
+    /// A spring in a freedom.
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(super) fn of_spring(own: S, freedom: usize) -> Self {
+        OwnStiffness { freedoms: [0, 1].map(|end| [end, freedom]), entries: [[own, -own], [-own, own]] }
+    }
+
     /// A line in a freedom.
     #[inline(always)]
     pub(super) fn of_line(line: &Line<S>, freedom: usize) -> Self {
@@ -41,14 +48,27 @@ impl<S: Scalar, const N: usize> OwnStiffness<S, N> {
     /// Eliminates what is released, and adds the rest to a front.
     #[inline(always)]
     pub(super) fn join(&mut self, front: &mut StiffnessFront<'_, S>, member: &StiffnessMember) {
+        let rows = self.freedoms.map(|[end, freedom]| member.row(end, freedom));
+        self.join_of(front, &member.seat, &rows);
+    }
+
+    /// The same in space, given the rows of both ends.
+    #[cfg(feature = "std")]
+    #[inline(always)]
+    pub(super) fn join_rows(&mut self, front: &mut StiffnessFront<'_, S>, seat: &Seat, rows: &[[[f64; 6]; 3]; 2]) {
+        let rows = self.freedoms.map(|[end, freedom]| rows[end][freedom]);
+        self.join_of(front, seat, &rows);
+    }
+
+    /// Eliminates what is released, and adds the rest to a front, given the rows of its freedoms.
+    #[inline(always)]
+    fn join_of<const R: usize>(&mut self, front: &mut StiffnessFront<'_, S>, seat: &Seat, rows: &[[f64; R]; N]) {
         for k in 0..N {
-            if !member.seat.has(self.freedoms[k]) {
+            if !seat.has(self.freedoms[k]) {
                 self.eliminate(k, front);
             }
         }
-        let rows = self.freedoms.map(|[end, freedom]| member.row(end, freedom));
-        let places =
-            self.freedoms.map(|[end, freedom]| member.seat.places(end).filter(|_| member.seat.has([end, freedom])));
+        let places = self.freedoms.map(|[end, freedom]| seat.places(end).filter(|_| seat.has([end, freedom])));
         for k in 0..N {
             let Some(place) = places[k] else { continue };
             front.add_own(self.entries[k][k], place, &rows[k]);

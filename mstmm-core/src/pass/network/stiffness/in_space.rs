@@ -1,0 +1,176 @@
+//! The stiffness pass of structures in space: the parts of members in rows of six motions.
+
+use crate::number::{FrequencyPowers, Real, Scalar, Size};
+use crate::pass::network::motions::Motions;
+use crate::pass::network::placed_node::PlacedNode;
+use crate::pass::network::placement::Placement;
+use crate::pass::network::stiffness::front::StiffnessFront;
+use crate::pass::network::stiffness::joined::Joins;
+use crate::pass::network::stiffness::member::{Seat, StiffnessMember};
+use crate::pass::network::stiffness::model::StiffnessModel;
+use crate::pass::network::stiffness::numbers::Waving;
+use crate::pass::network::stiffness::released::OwnStiffness;
+use crate::pass::network::stiffness::waves::{BeamWaves, Bending, Line, line};
+use crate::pass::network::vector::Six;
+use crate::structure::triangle::{place, row};
+use mstmm_plan::Freedoms;
+use std::vec::Vec;
+
+/// Of each end of a part, what the displacements along and across it and its rotation are of the motions of its node.
+pub(super) type Rows = [[Six<f64>; 3]; 2];
+
+/// Entries of the lower triangle of a mass matrix.
+const MASSES: usize = row(6);
+
+/// What nodes and members have in space besides.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SpatialRoom {
+    rows: Vec<Rows>,
+    masses: Vec<Option<[f64; MASSES]>>,
+}
+
+impl SpatialRoom {
+    /// What nodes and parts of members have.
+    pub(super) fn new<T: Real>(nodes: &[PlacedNode<T>], motions: &[Motions<T>], placements: &[Placement<T>]) -> Self {
+        let masses = |(node, motions): (&PlacedNode<T>, &Motions<T>)| {
+            let rows = motions.masses::<T>(node);
+            let mut masses = [0.0; MASSES];
+            for (k, own) in rows.iter().enumerate() {
+                own[..=k].iter().enumerate().for_each(|(l, entry)| masses[place(k, l)] = entry.to_f64());
+            }
+            node.has_body().then_some(masses)
+        };
+        let rows = |placement: &Placement<T>| placement.rows().map(|rows| rows.map(|row| row.map(T::to_f64)));
+        SpatialRoom {
+            rows: placements.iter().map(rows).collect(),
+            masses: nodes.iter().zip(motions).map(masses).collect(),
+        }
+    }
+}
+
+/// Eliminates all nodes at a frequency: members join a front, and what no member will join any more leaves.
+#[inline(always)]
+pub(super) fn eliminate_all_in_space<S: Joins>(
+    model: &StiffnessModel<'_>,
+    room: &SpatialRoom,
+    front: &mut StiffnessFront<'_, S>,
+    omega: S,
+) {
+    let (at, mut waves) = (FrequencyPowers::new(omega, true), BeamWaves::new());
+    let (mut joined, mut parted) = (0usize, 0usize);
+    for &index in model.order {
+        let node = &model.nodes[index];
+        let (all_joined, all_parted) = (node.joined as usize, node.parted as usize);
+        for &member in &model.joining[joined..all_joined] {
+            let member = member as usize;
+            add_part(front, (&model.members[member], &room.rows[member]), &at, &mut waves);
+        }
+        let [first, count] = node.group.places();
+        if let Some(masses) = &room.masses[index] {
+            for k in 0..count {
+                for l in 0..=k {
+                    front.entries[row(first + k) + first + l] += at.lambda_squared * S::from_f64(masses[row(k) + l]);
+                }
+            }
+        }
+        front.eliminate_in_space(&node.group);
+        for &member in &model.parting[parted..all_parted] {
+            front.eliminate(&model.members[member as usize].seat.ties);
+        }
+        (joined, parted) = (all_joined, all_parted);
+    }
+}
+
+/// Adds a part of a member.
+#[inline(always)]
+fn add_part<S: Joins>(
+    front: &mut StiffnessFront<'_, S>,
+    (member, rows): (&StiffnessMember, &Rows),
+    at: &FrequencyPowers<S>,
+    waves: &mut BeamWaves<S>,
+) {
+    let seat = &member.seat;
+    match &member.waving {
+        // arranged are structures without such members
+        Waving::Other => {}
+        Waving::Beam(across, along) => {
+            let (across, of_along) = waves.of(seat, (across, along.as_ref()), at);
+            front.total.include_both(across, of_along);
+            if seat.is_shared {
+                add_bent(front, (across, of_along), (seat, rows));
+            } else {
+                OwnStiffness::of_bending(across).join_rows(front, seat, rows);
+                if along.is_some() {
+                    OwnStiffness::of_line(of_along, 0).join_rows(front, seat, rows);
+                }
+            }
+        }
+        Waving::Line(freedom, numbers) => {
+            let waves = line(numbers, at);
+            front.total.include(&waves);
+            OwnStiffness::of_line(&waves, *freedom).join_rows(front, seat, rows);
+        }
+        Waving::Joint(rigid, elastic) => {
+            let [mut tie, _] = seat.ties.places();
+            for (freedom, stiffness) in elastic.iter().enumerate() {
+                if !stiffness.vanishes() {
+                    let own = S::from_f64(*stiffness);
+                    OwnStiffness::of_spring(own, freedom).join_rows(front, seat, rows);
+                }
+                if rigid.contains(Freedoms::SINGLE[freedom]) {
+                    add_tie(front, (tie, freedom), (seat, rows));
+                    front.total.below = front.total.below + S::Size::of(-1.0);
+                    tie += 1;
+                }
+            }
+        }
+    }
+}
+
+/// Adds forces that tie a freedom of both ends, at a place.
+#[inline(always)]
+fn add_tie<S: Scalar>(front: &mut StiffnessFront<'_, S>, (at, freedom): (usize, usize), (seat, rows): (&Seat, &Rows)) {
+    for (end, rows) in rows.iter().enumerate() {
+        let Some([first, count]) = seat.places(end) else { continue };
+        for (k, part) in rows[freedom][..count].iter().enumerate() {
+            front.entries[place(at, first + k)] += S::from_f64(if end == 0 { -*part } else { *part });
+        }
+    }
+}
+
+/// Adds a beam whose ends share all that it has with their nodes.
+#[inline(always)]
+fn add_bent<S: Scalar>(
+    front: &mut StiffnessFront<'_, S>,
+    (bending, along): (&Bending<S>, &Line<S>),
+    (seat, rows): (&Seat, &Rows),
+) {
+    let [yy, yt, tt, yy_across, yt_across, tt_across] = bending.stiffness;
+    let [xx, xx_across] = along.stiffness;
+    for (end, turn) in [yt, -yt].into_iter().enumerate() {
+        let Some([first, count]) = seat.places(end) else { continue };
+        let [of_along, of_across, of_turn] = &rows[end];
+        for k in 0..count {
+            let [a, c, t] = [of_along[k], of_across[k], of_turn[k]].map(S::from_f64);
+            let (own_along, own_across, own_turn) = (xx * a, yy * c + turn * t, turn * c + tt * t);
+            let start = row(first + k) + first;
+            for (l, entry) in front.entries[start..=start + k].iter_mut().enumerate() {
+                let [a, c, t] = [of_along[l], of_across[l], of_turn[l]].map(S::from_f64);
+                *entry += own_along * a + own_across * c + own_turn * t;
+            }
+        }
+    }
+    let [Some([first, count]), Some([other, other_count])] = [seat.places(0), seat.places(1)] else { return };
+    let [[of_along, of_across, of_turn], [beside_along, beside_across, beside_turn]] = rows;
+    for k in 0..count {
+        let [a, c, t] = [of_along[k], of_across[k], of_turn[k]].map(S::from_f64);
+        // y with θ' is `yt'`, and θ with y' the opposite
+        let own_along = xx_across * a;
+        let own_across = yy_across * c - yt_across * t;
+        let own_turn = yt_across * c + tt_across * t;
+        for l in 0..other_count {
+            let [a, c, t] = [beside_along[l], beside_across[l], beside_turn[l]].map(S::from_f64);
+            front.add([first + k, other + l], own_along * a + own_across * c + own_turn * t);
+        }
+    }
+}
