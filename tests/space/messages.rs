@@ -1,5 +1,4 @@
 //! What is wrong with frames in space is said at once, by names.
-#![expect(clippy::unwrap_used, reason = "all frames are wrong, or right")]
 
 use mstmm::elements::{Spring, TorsionSpring};
 use mstmm::frame::{Bar, Frame, Ground, Hinge, Pin, RigidBody, RigidLink, Roller, Section, Space, Tensor, Tie};
@@ -30,7 +29,7 @@ fn said(change: impl Fn(&mut Frame<Space>, [mstmm::frame::Point<Space>; 3])) -> 
 fn mistakes_in_space_are_said_by_names() {
     assert_eq!(said(|_, _| ()), "built");
     let plain = Section::new().axial_stiffness(4e6).bending_stiffness(1e4).mass_per_length(20.0);
-    let start = "member 2: `torsional_stiffness` is missing: a beam in space stretches, turns and bends both ways";
+    let start = "member 2: `torsional_stiffness` is missing: a beam in space stretches and bends both ways";
     assert!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, plain)).starts_with(start));
     let both = STEEL.bending_stiffness(1e4);
     let start = "member 2: `bending_stiffness_z` is named, and that without an index";
@@ -40,6 +39,15 @@ fn mistakes_in_space_are_said_by_names() {
     assert!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, negative)).starts_with(start));
     let start = "member 2: a bar has no `torsional_stiffness`";
     assert_eq!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, Bar(STEEL))), start);
+    let one = Section::new().axial_stiffness(4e6).bending_stiffness_y(1e4).mass_per_length(20.0);
+    let start = "member 2: `bending_stiffness_z` is missing";
+    assert!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, one)).starts_with(start));
+    let start = "member 2: shear_stiffness_z is -3, but must be positive";
+    assert_eq!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, STEEL.shear_stiffness_z(-3.0))), start);
+    let start = "member 2: its `up` is zero, not finite or beyond 1e±70";
+    assert_eq!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, STEEL.up([0.0; 3]))), start);
+    let start = "member 2: both ends are at one place";
+    assert!(said(|frame, [_, tip, _]| _ = frame.member(tip, tip, STEEL)).starts_with(start));
     let along = STEEL.up([2.0, 1.0, 0.5]);
     let start = "member 2: it leads along its `up`, which is [0, 0, 1] unless it is named, and both its planes differ";
     assert!(said(|frame, [foot, _, far]| _ = frame.member(foot, far, along)).starts_with(start));
@@ -68,7 +76,7 @@ fn directions_and_axes_in_space_are_asked_for() {
 fn joints_and_bodies_in_space_are_checked() {
     let start = "member 2: the ends of a joint are at one place";
     assert!(said(|frame, [_, tip, far]| _ = frame.member(tip, far, Pin)).starts_with(start));
-    let start = "member 2: it names no stiffness and would be rigid";
+    let start = "member 2: it lets nothing go and would be rigid";
     let at_one_place = |element: Hinge| {
         move |frame: &mut Frame<Space>, [_, tip, _]: [mstmm::frame::Point<Space>; 3]| {
             let beside = frame.point([2.0, 0.0, 0.0]);
@@ -76,6 +84,14 @@ fn joints_and_bodies_in_space_are_checked() {
         }
     };
     assert!(said(at_one_place(Hinge::new())).starts_with(start));
+    let start = "member 2: both ends are at one point, or at points of one body";
+    assert!(said(|frame, [_, tip, _]| _ = frame.member(tip, tip, Pin)).starts_with(start));
+    let start = "member 2: its ends have two directions, and a joint has one";
+    let turned = |frame: &mut Frame<Space>, [_, tip, _]: [mstmm::frame::Point<Space>; 3]| {
+        let beside = frame.point([2.0, 0.0, 0.0]);
+        frame.member(tip.along([1.0, 0.0, 0.0]), beside.along([-1.0, 0.0, 0.0]), Tie::revolute());
+    };
+    assert!(said(turned).starts_with(start));
     let negative = said(at_one_place(Hinge::new().stiffness_ry(f64::NAN)));
     assert!(negative.starts_with("member 2: stiffness_ry is NaN"), "{negative}");
     let body = |inertia| {
@@ -86,6 +102,13 @@ fn joints_and_bodies_in_space_are_checked() {
     let start = "body 0: its tensor of inertia is not finite, or indefinite: a moment about some axis is negative";
     assert_eq!(said(body(Tensor::new([1.0, 1.0, 1.0, 2.0, 0.0, 0.0]))), start);
     assert_eq!(said(body(Tensor::principal([1.0, -1.0, 1.0]))), start);
+    let start = "body 0: mass and inertia must be zero or positive, and finite like the mass centre";
+    let two = |frame: &mut Frame<Space>, [_, tip, _]: [mstmm::frame::Point<Space>; 3]| {
+        for mass in [-1.0, 3.0] {
+            frame.body([tip], RigidBody { mass, inertia: Tensor::default(), centre: [2.0, 0.0, 0.0] });
+        }
+    };
+    assert_eq!(said(two), start);
     assert_eq!(said(|frame, [_, tip, _]| _ = frame.body([tip], RigidLink)), "built");
     assert_eq!(
         said(|frame, [foot, tip, _]| _ = frame.member(foot.along([1.0, 0.0, 0.0]), tip, Tie::ball())).lines().count(),

@@ -1,7 +1,7 @@
 //! Motions of frames in space: closed forms, motions between ends, equilibrium, sensitivities.
 
 use crate::random::random_model;
-use mstmm::frame::{Frame, Point, Section, Space};
+use mstmm::frame::{Frame, Hinge, Point, PointMass, Section, Space, Tensor};
 use mstmm::motion::PlaneLoad;
 use mstmm::network::Support;
 use mstmm::prelude::*;
@@ -151,5 +151,73 @@ fn sensitivities_are_slopes() {
         for (sum, half) in sums.into_iter().zip([0.5, -0.5]) {
             assert!((sum / root.omega - half).abs() < 1e-12, "{seed}: {sums:?} of {}", root.omega);
         }
+    }
+}
+
+/// Oracle: a beam in the air, whose ends have no forces: with unit modal mass its tips move by `2/√(ml)`.
+#[test]
+fn a_free_beam_has_its_shapes() {
+    let length = 2.0;
+    let mut frame = Frame::new();
+    let [from, to] = points(&mut frame, [[0.0; 3], [length, 0.0, 0.0]]);
+    frame.member(from, to, STEEL);
+    let beam = frame.build().unwrap();
+    let roots = beam.frequencies(12).unwrap();
+    assert_eq!((roots[0].multiplicity, roots[0].omega), (6, 0.0));
+    let mut bent = 0;
+    for root in roots.iter().filter(|root| root.omega > 0.0) {
+        let shape = beam.mode_shape(root).unwrap();
+        let [y, z] = [from.displacement_y(), from.displacement_z()].map(|entry| shape.value(entry).unwrap().abs());
+        if y.max(z) > 0.1 {
+            assert!((y.max(z) - 2.0 / (20.0 * length).sqrt()).abs() < 1e-13, "{y} {z}");
+            bent += 1;
+        }
+    }
+    assert!(bent >= 3, "{bent}");
+}
+
+/// What a mass is about an axis is a moment of inertia, and along a direction a mass.
+#[test]
+fn masses_in_directions_are_those_of_bodies() {
+    let cantilever = |add: &dyn Fn(&mut Frame<Space>, Point<Space>)| {
+        let mut frame = Frame::new();
+        let [foot, tip] = points(&mut frame, [[0.0; 3], [2.0, 0.0, 0.0]]);
+        frame.hold(foot, Support::Fixed);
+        frame.member(foot, tip, STEEL);
+        add(&mut frame, tip);
+        frame.build().unwrap().frequencies(6).unwrap().iter().map(|root| root.omega).collect::<Vec<_>>()
+    };
+    let inertia = |moments| PointMass { mass: 0.0, inertia: Tensor::principal(moments) };
+    for (axis, moments) in [([0.0, 0.0, 2.0], [0.0, 0.0, 3.0]), ([1.0, 0.0, 0.0], [3.0, 0.0, 0.0])] {
+        let about = cantilever(&|frame, tip| frame.mass(tip.about(axis), 3.0));
+        let body = cantilever(&|frame, tip| _ = frame.body([tip], inertia(moments)));
+        assert!(about.iter().zip(&body).all(|(one, other)| (one / other - 1.0).abs() < 1e-13), "{about:?} {body:?}");
+    }
+    let along = cantilever(&|frame, tip| {
+        for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+            frame.mass(tip.along(axis), 3.0);
+        }
+    });
+    let body = cantilever(&|frame, tip| _ = frame.body([tip], PointMass { mass: 3.0, inertia: Tensor::default() }));
+    assert!(along.iter().zip(&body).all(|(one, other)| (one / other - 1.0).abs() < 1e-13), "{along:?} {body:?}");
+}
+
+/// A joint has the direction that one of its ends names.
+#[test]
+fn a_joint_has_one_axis() {
+    let first = |named: [bool; 2]| {
+        let mut frame = Frame::new();
+        let [foot, one, two, tip] = points(&mut frame, [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 2.0, 0.5]]);
+        frame.hold(foot, Support::Fixed);
+        frame.member(foot, one, STEEL);
+        frame.member(two, tip, STEEL);
+        let axis = [0.3, 1.0, 0.5];
+        let ends = [0, 1].map(|k| if named[k] { [one, two][k].along(axis) } else { [one, two][k].into() });
+        frame.member(ends[0], ends[1], Hinge::new().stiffness_rx(1e3));
+        let structure = frame.build().unwrap();
+        structure.frequency_response(foot.motion_x(), tip.displacement_x()).unwrap().at(0.0).unwrap()
+    };
+    for named in [[true, true], [true, false], [false, true]] {
+        assert!((first(named) - 1.0).abs() < 1e-13);
     }
 }

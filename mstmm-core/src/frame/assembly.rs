@@ -1,15 +1,15 @@
 //! The nodes and members of a frame: points that bodies tie are one node, supports hold it, paths have nodes of their own.
 
 use crate::elements::any_member::AnyMember;
+use crate::frame::bodies::is_mass;
 use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
 use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
-use crate::frame::joints::rigid;
-use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, freedoms_in};
+use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, freedoms_in, is_one_direction};
 use crate::frame::paths::motions;
 use crate::frame::tensor::definite;
-use crate::model::{Hold, Skew, Tied};
+use crate::model::Tied;
 use crate::pass::network::{self, Part, PlacedNode, SpatialEnd};
 use mstmm_plan::Freedoms;
 use std::format;
@@ -22,7 +22,7 @@ pub(crate) type NetworkPart = Part<AnyMember<f64>>;
 
 /// The nodes and members of a frame.
 pub(crate) struct Assembly<'f, D: Dimension> {
-    frame: &'f Frame<D>,
+    pub(super) frame: &'f Frame<D>,
     pub(crate) nodes: Vec<PlacedNode<f64>>,
     /// What each node is called: of points the first one, of paths the point of a path.
     pub(crate) names: Vec<String>,
@@ -38,7 +38,7 @@ pub(crate) struct Assembly<'f, D: Dimension> {
     pub(crate) bodies: Vec<(usize, [f64; 3])>,
     /// The freedoms that members and bodies bring to each point.
     brought: Vec<Freedoms>,
-    paths: Vec<usize>,
+    pub(super) paths: Vec<usize>,
     ground: Option<usize>,
     /// All that is wrong with its parts so far.
     pub(crate) errors: Vec<BuildError>,
@@ -87,15 +87,15 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         self.errors.push(BuildError { part, mistake });
     }
 
-    fn point_name(&self, point: usize) -> String {
+    pub(super) fn point_name(&self, point: usize) -> String {
         called("point", point, self.frame.points[point].name.as_ref())
     }
 
-    fn place(&self, point: usize) -> [f64; 3] {
+    pub(super) fn place(&self, point: usize) -> [f64; 3] {
         D::in_space(self.frame.points[point].place)
     }
 
-    fn add_node(&mut self, node: PlacedNode<f64>, name: String, is_of_path: bool) -> usize {
+    pub(super) fn add_node(&mut self, node: PlacedNode<f64>, name: String, is_of_path: bool) -> usize {
         self.nodes.push(node);
         self.names.push(name);
         self.is_of_path.push(is_of_path);
@@ -140,15 +140,20 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             let centre = body.rigid.centre.map_or(self.place(point), D::in_space);
             let node = self.points[point].node;
             self.bodies.push((node, centre));
+            if !(is_mass(body.rigid.mass) && centre.iter().all(|part| part.is_finite())) {
+                self.fail(called("body", index, body.name.as_ref()), Mistake::Mass);
+                continue;
+            }
             if body.rigid.mass == 0.0 && body.rigid.inertia == [0.0; 6] {
                 continue;
             }
-            // a moment of the plane is checked with its node
-            let is_tensor = D::FREEDOMS == Freedoms::SPACE;
-            let inertia = if is_tensor { definite(body.rigid.inertia) } else { Some(body.rigid.inertia) };
-            match inertia {
+            match definite(body.rigid.inertia) {
                 Some(inertia) => self.nodes[node] = self.nodes[node].and_body(body.rigid.mass, inertia, centre),
-                None => self.fail(called("body", index, body.name.as_ref()), Mistake::Tensor),
+                None => {
+                    let is_tensor = D::FREEDOMS == Freedoms::SPACE;
+                    let mistake = if is_tensor { Mistake::Tensor } else { Mistake::Mass };
+                    self.fail(called("body", index, body.name.as_ref()), mistake);
+                }
             }
         }
     }
@@ -179,16 +184,19 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     ///
     /// # Errors
     /// [`Mistake::NoOrientation`] where it leads along its `up`.
-    fn join(&mut self, called: &str, ends: [SpatialEnd<f64>; 2], parts: &Parts) -> Result<(), Mistake> {
+    pub(super) fn join(&mut self, called: &str, ends: [SpatialEnd<f64>; 2], parts: &Parts) -> Result<(), Mistake> {
         let vector = |end: &SpatialEnd<f64>| {
             let place = |end: &SpatialEnd<f64>| end.place.unwrap_or(self.nodes[end.node].position);
             let [from, to] = ends.each_ref().map(place);
             end.along.unwrap_or(if parts.is_joint() { [1.0, 0.0, 0.0] } else { [0, 1, 2].map(|k| to[k] - from[k]) })
         };
         let along = vector(&ends[0]);
+        let is_known = network::is_direction(along);
         let mut planes = Vec::new();
         for (part, element) in parts.iter() {
-            planes.push((part, element, parts.plane::<D>(part, along)?));
+            // where the ends have no direction, that is what is wrong
+            let plane = parts.plane::<D>(part, if is_known { Some(along) } else { None })?;
+            planes.push((part, element, plane));
         }
         for (part, element, plane) in planes {
             let ends = ends.map(|end| SpatialEnd { released: freedoms_in(part, end.released), ..end });
@@ -198,7 +206,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         Ok(())
     }
 
-    fn bring(&mut self, point: usize, freedoms: Freedoms) {
+    pub(super) fn bring(&mut self, point: usize, freedoms: Freedoms) {
         self.brought[point] = self.brought[point].union(freedoms.intersection(D::FREEDOMS));
     }
 
@@ -217,12 +225,42 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             return self.fail(name, Mistake::RigidHinge);
         }
         let ends = entry.ends.map(|end| end.releasing(entry.member.released));
+        let ends = match self.of_one_axis(ends, &parts) {
+            Ok(ends) => ends,
+            Err(mistake) => return self.fail(name, mistake),
+        };
         let joined = [0, 1].map(|end| self.joined(&ends[end], &ends[1 - end], &parts));
         let failed = match joined {
-            [Ok(from), Ok(to)] => self.join(&name, [from, to], &without_twist(parts, [from, to])).err(),
+            [Ok(from), Ok(to)] => {
+                self.join(&name, [from, to], &parts.without_twist([from.released, to.released])).err()
+            }
             [Err(mistake), _] | [_, Err(mistake)] => Some(mistake),
         };
         failed.into_iter().for_each(|mistake| self.fail(name.clone(), mistake));
+    }
+
+    /// The ends of a joint, both with the direction that one of them has.
+    ///
+    /// # Errors
+    /// [`Mistake::TwoAxes`] where they have two, [`Mistake::OnePoint`] where a joint has nothing to join.
+    fn of_one_axis(&self, ends: [End<D>; 2], parts: &Parts) -> Result<[End<D>; 2], Mistake> {
+        if !parts.is_joint() {
+            return Ok(ends);
+        }
+        let node = |end: &End<D>| match end.seat {
+            Seat::Point(handle) => self.frame.own(handle, self.points.len()).map(|point| self.points[point].node),
+            _ => None,
+        };
+        if node(&ends[0]).is_some() && node(&ends[0]) == node(&ends[1]) {
+            return Err(Mistake::OnePoint);
+        }
+        let axis = ends[0].along.or(ends[1].along);
+        if let [Some(one), Some(other)] = ends.map(|end| end.along)
+            && !is_one_direction(one, other)
+        {
+            return Err(Mistake::TwoAxes);
+        }
+        Ok(ends.map(|end| End { along: axis, turns: ends.iter().any(|end| end.turns), ..end }))
     }
 
     /// The end of a member in the network, given its other end.
@@ -274,81 +312,6 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         Ok(SpatialEnd { along: of_path.or(along), ..own })
     }
 
-    /// A mass on the motion of a path, or on that of a point in a direction.
-    fn add_mass(&mut self, on: &End<D>, mass: f64) {
-        let part = String::from("a mass");
-        match on.seat {
-            Seat::Ground => self.fail(part, Mistake::NoPlace),
-            Seat::Path(handle) => match self.frame.own(handle, self.paths.len()) {
-                Some(path) => self.add_to_node(self.paths[path], mass),
-                None => self.fail(part, Mistake::OtherFrame),
-            },
-            Seat::Point(handle) => {
-                let Some(point) = self.frame.own(handle, self.frame.points.len()) else {
-                    return self.fail(part, Mistake::OtherFrame);
-                };
-                self.bring(point, DISPLACEMENTS);
-                let (node, place) = (self.points[point].node, on.place.map_or(self.place(point), D::in_space));
-                let Some(direction) = on.along.or(D::ACROSS) else {
-                    self.nodes[node] = self.nodes[node].and_body(mass, [0.0; 6], place);
-                    return;
-                };
-                let held = Freedoms::SPACE.without(Freedoms::X);
-                let own = self.add_node(PlacedNode::at(place).held(held), part.clone(), true);
-                self.add_to_node(own, mass);
-                let of_node = SpatialEnd { place: Some(place), along: Some(direction), ..at_node(node) };
-                let ends = [SpatialEnd { along: Some([1.0, 0.0, 0.0]), ..at_node(own) }, of_node];
-                let failed = self.join(&part, ends, &rigid(Freedoms::X)).err();
-                failed.into_iter().for_each(|mistake| self.fail(part.clone(), mistake));
-            }
-        }
-    }
-
-    /// Adds a mass to the motion of a path.
-    fn add_to_node(&mut self, node: usize, mass: f64) {
-        let turns = !self.nodes[node].held.contains(Freedoms::RZ);
-        let own = self.nodes[node];
-        let inertia = if turns { [0.0, 0.0, mass, 0.0, 0.0, 0.0] } else { [0.0; 6] };
-        self.nodes[node] = own.and_body(if turns { 0.0 } else { mass }, inertia, own.position);
-    }
-
-    /// A support holds the node of its point. A second one on a body holds another place of it, by a rigid joint with the ground.
-    fn hold(&mut self, point: usize) {
-        let hold = match self.frame.points[point].holds.as_slice() {
-            [] => return,
-            [hold] => *hold,
-            _ => return self.fail(self.point_name(point), Mistake::HeldTwice),
-        };
-        let Tied { node, .. } = self.points[point];
-        let place = self.place(point);
-        let is_second = (0..point).any(|other| self.points[other].node == node && self.points[other].hold.is_some());
-        if !hold.has_direction {
-            return self.fail(self.point_name(point), Mistake::NoWay);
-        }
-        let held = match hold.skew {
-            None => hold.freedoms,
-            // across a direction it is held, or along it
-            Some(Skew::Along(_)) => hold.freedoms.union(DISPLACEMENTS.without(Freedoms::X).intersection(D::FREEDOMS)),
-            Some(Skew::Normal(_)) => hold.freedoms.union(Freedoms::X),
-        };
-        let holding = if is_second {
-            let name = self.point_name(point);
-            let ground = self.add_node(PlacedNode::at(place).held(Freedoms::SPACE), name.clone(), false);
-            let axis = hold.skew.map_or([1.0, 0.0, 0.0], |skew| *skew.direction());
-            let of_body = SpatialEnd { place: Some(place), ..at_node(node) };
-            let ends = [at_node(ground), of_body].map(|end| SpatialEnd { along: Some(axis), ..end });
-            let failed = self.join(&name, ends, &rigid(held)).err();
-            failed.into_iter().for_each(|mistake| self.fail(name.clone(), mistake));
-            ground
-        } else {
-            let own = &mut self.nodes[node];
-            (own.held, own.skew) = (hold.freedoms, hold.skew);
-            node
-        };
-        let skewed = if hold.skew.is_some() { DISPLACEMENTS.intersection(D::FREEDOMS) } else { Freedoms::NONE };
-        self.points[point].hold = Some(Hold { node: holding, freedoms: hold.freedoms.union(skewed) });
-    }
-
     /// Holds what nothing brings to a node.
     fn settle(&mut self) {
         let mut of_nodes = vec![Freedoms::NONE; self.nodes.len()];
@@ -371,13 +334,6 @@ impl<'f, D: Dimension> Assembly<'f, D> {
 }
 
 /// An end at a node, in its axes.
-fn at_node(node: usize) -> SpatialEnd<f64> {
+pub(super) fn at_node(node: usize) -> SpatialEnd<f64> {
     SpatialEnd { node, place: None, along: None, released: Freedoms::NONE }
-}
-
-/// The parts of a member without its twist where both ends let it go: it turns freely about itself, and nothing sees that.
-fn without_twist(parts: Parts, ends: [SpatialEnd<f64>; 2]) -> Parts {
-    let is_free = !parts.is_joint() && ends.iter().all(|end| end.released.contains(Freedoms::RX));
-    let [first, second, twist] = parts.elements;
-    Parts { elements: [first, second, twist.filter(|_| !is_free)], ..parts }
 }

@@ -65,3 +65,8 @@ macro_rules! bodies {
     )*};
 }
 bodies!(Line: f64, f64; Plane: [f64; 2], f64; Space: [f64; 3], Tensor;);
+
+/// Whether a number is a mass.
+pub(crate) fn is_mass(mass: f64) -> bool {
+    mass >= 0.0 && mass.is_finite()
+}

@@ -37,6 +37,8 @@ pub enum Mistake {
     AxialStiffness,
     /// A shear stiffness is not positive.
     ShearStiffness {
+        /// Its name.
+        parameter: &'static str,
         /// Its value.
         value: f64,
     },
@@ -55,6 +57,14 @@ pub enum Mistake {
     NoDirection,
     /// A direction is zero, not finite or beyond 1e±70, or the element has none to choose.
     Direction,
+    /// A mass or a moment of inertia is negative or not finite, or a mass centre is not finite.
+    Mass,
+    /// The `up` of a member is zero, not finite or beyond 1e±70.
+    Up,
+    /// The ends of a joint have two directions.
+    TwoAxes,
+    /// Both ends of a joint are at one point, or at points of one body.
+    OnePoint,
     /// A hinge names a freedom that points of this dimension have not.
     OtherDimension,
     /// What turns in space acts on a point about no axis.
@@ -93,18 +103,18 @@ impl fmt::Display for Mistake {
             Mistake::Missing { parameter: "axial_stiffness" } => {
                 write!(
                     f,
-                    "`axial_stiffness` is missing: in the plane beams and strings stretch, too; a large number is nearly rigid"
+                    "`axial_stiffness` is missing: in the plane and in space beams and strings stretch, too; a large number is nearly rigid"
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
             Mistake::Foreign { element, parameter } => write!(f, "a {element} has no `{parameter}`"),
             Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
-            Mistake::ShearStiffness { value } => write!(f, "shear_stiffness is {value}, but must be positive"),
+            Mistake::ShearStiffness { parameter, value } => write!(f, "{parameter} is {value}, but must be positive"),
             Mistake::Parameter(error) => write!(f, "{error}"),
             Mistake::Number { problem } => write!(f, "{problem}"),
             Mistake::OtherFrame => write!(f, "a point or a member of another frame: each frame has handles of its own"),
             Mistake::NoPlace => write!(f, "it ends at the ground or at a path, which have no place: end it at a point"),
-            Mistake::NoDirection => write!(f, "it acts on a point in no direction: `point.along([dx, dy])`"),
+            Mistake::NoDirection => write!(f, "it acts on a point in no direction: `point.along(..)`"),
             Mistake::Direction => {
                 write!(
                     f,
@@ -115,7 +125,10 @@ impl fmt::Display for Mistake {
                 write!(f, "both ends are at one place: beams and strings have a length, a spring there a direction")
             }
             Mistake::TwoPlaces => write!(f, "the ends of a joint are at one place, and its are at two"),
-            Mistake::RigidHinge => write!(f, "it names no stiffness and would be rigid: `stiffness_rz(0.0)`, or `Pin`"),
+            Mistake::RigidHinge => write!(
+                f,
+                "it lets nothing go and would be rigid: a hinge names a stiffness, `stiffness_rz(0.0)`, or write `Pin`"
+            ),
             Mistake::Motions => {
                 write!(f, "springs that move and springs that turn meet at this point of a path, or nothing does")
             }
@@ -136,9 +149,9 @@ impl Mistake {
             Mistake::MissingInSpace { parameter } => {
                 write!(
                     f,
-                    "`{parameter}` is missing: a beam in space stretches, turns and bends both ways, so it has `axial_stiffness`, \
-                     `torsional_stiffness`, `bending_stiffness` or `bending_stiffness_y` and `_z`, `mass_per_length`, \
-                     `polar_inertia_per_length`; a `Bar` does not turn"
+                    "`{parameter}` is missing: a beam in space stretches and bends both ways, by `axial_stiffness`, `bending_stiffness` or \
+                     `bending_stiffness_y` and `_z`, `mass_per_length`, and it turns, unless it is a `Bar`, by `torsional_stiffness`, \
+                     `polar_inertia_per_length`"
                 )
             }
             Mistake::Twice { parameter } => {
@@ -146,6 +159,14 @@ impl Mistake {
                     f,
                     "`{parameter}` is named, and that without an index, which stands for both planes: name one of them"
                 )
+            }
+            Mistake::Mass => write!(f, "mass and inertia must be zero or positive, and finite like the mass centre"),
+            Mistake::Up => write!(f, "its `up` is zero, not finite or beyond 1e±70"),
+            Mistake::TwoAxes => {
+                write!(f, "its ends have two directions, and a joint has one: name it at one end, or the same at both")
+            }
+            Mistake::OnePoint => {
+                write!(f, "both ends are at one point, or at points of one body: a joint stands between two")
             }
             Mistake::OtherDimension => write!(f, "it names a stiffness, a damping or an `up` of another dimension"),
             Mistake::NoAxis => write!(f, "it turns about no axis: `point.about([x, y, z])`"),
@@ -164,7 +185,7 @@ impl Mistake {
             Mistake::NoWay => {
                 write!(
                     f,
-                    "a roller or a guide in space says which way: `Roller::normal([0.0, 0.0, 1.0])` holds one direction, `Roller::along` leaves one"
+                    "a roller or a guide in space says which way: `Roller::normal([0.0, 0.0, 1.0])` holds one direction, `Roller::along` leaves one, `.without_rotation()` makes it a guide"
                 )
             }
             Mistake::Tensor => {

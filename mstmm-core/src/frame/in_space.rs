@@ -99,10 +99,20 @@ fn needed_in_space(section: &Section, parameter: Parameter) -> Result<f64, Mista
 fn beam(section: &Section, twists: bool) -> Result<Parts, Mistake> {
     let planes = [in_plane(section, 0)?, in_plane(section, 1)?];
     let axial_stiffness = needed_in_space(section, Parameter::axial_stiffness)?;
-    for own in &planes {
-        needed_in_space(own, Parameter::bending_stiffness)?;
+    for (plane, own) in planes.iter().enumerate() {
+        let [Pair { planes: bending, .. }, Pair { planes: shear, .. }, ..] = PAIRS;
+        let named = bending.iter().any(|of_plane| section.get(*of_plane).is_some());
+        if own.get(Parameter::bending_stiffness).is_none() {
+            let parameter = name_of(if named { bending[plane] } else { Parameter::bending_stiffness });
+            return Err(Mistake::MissingInSpace { parameter });
+        }
         needed_in_space(own, Parameter::mass_per_length)?;
-        check(own)?;
+        check(own).map_err(|mistake| match mistake {
+            Mistake::ShearStiffness { value, .. } if section.get(shear[plane]).is_some() => {
+                Mistake::ShearStiffness { parameter: name_of(shear[plane]), value }
+            }
+            mistake => mistake,
+        })?;
     }
     let [first, second] = &planes;
     let is_damped = names(section, &LOSSES);

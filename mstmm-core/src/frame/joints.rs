@@ -106,15 +106,22 @@ pub struct Pin;
 pub struct Slider;
 
 /// A joint in space that ties some freedoms rigidly, in axes whose x leads along the direction of its ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie {
     freedoms: Freedoms,
+    up: Option<[f64; 3]>,
 }
 
 impl Tie {
     /// The joint that ties some freedoms.
     pub const fn of(freedoms: Freedoms) -> Self {
-        Tie { freedoms }
+        Tie { freedoms, up: None }
+    }
+
+    /// The vector that is made the z axis of a joint whose x axis is a direction.
+    #[must_use]
+    pub const fn up(self, up: [f64; 3]) -> Self {
+        Tie { up: Some(up), ..self }
     }
 
     /// Two points share displacements, and no rotation.
@@ -214,7 +221,7 @@ impl FrameElement<Space> for Tie {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        FrameMember::of_parts(Ok(parts(self.freedoms, &Hinge::new())))
+        FrameMember::of_parts(Ok(Parts { up: self.up, ..parts(self.freedoms, &Hinge::new()) }))
     }
 }
 

@@ -189,7 +189,7 @@ pub(super) fn check(section: &Section) -> Result<(), Mistake> {
     }
     match or_neutral(section, Parameter::shear_stiffness) {
         value if value > 0.0 => Ok(()),
-        value => Err(Mistake::ShearStiffness { value }),
+        value => Err(Mistake::ShearStiffness { parameter: name_of(Parameter::shear_stiffness), value }),
     }
 }
 

@@ -9,12 +9,14 @@ mod error;
 mod holds;
 mod in_space;
 mod joints;
+mod masses;
 mod member;
 mod parts;
 mod paths;
 mod point;
 mod section;
 mod structure;
+mod supports;
 mod tensor;
 
 pub use bodies::{PointMass, Rigid, RigidBody, RigidLink};

@@ -5,6 +5,7 @@ use crate::elements::any_member::AnyMember;
 use crate::frame::dimension::Dimension;
 use crate::frame::error::Mistake;
 use crate::model::MemberPlane;
+use crate::pass::network;
 use mstmm_plan::Freedoms;
 
 /// Most parts of a member.
@@ -85,11 +86,22 @@ impl Parts {
         brought.intersection(D::FREEDOMS)
     }
 
-    /// The plane of a part, given the x axis of its member.
+    /// The parts without the twist where both ends let it go: the member turns freely about itself, and nothing sees that.
+    pub(crate) fn without_twist(self, released: [Freedoms; 2]) -> Self {
+        let is_free = !self.is_joint() && released.iter().all(|released| released.contains(Freedoms::RX));
+        let [first, second, twist] = self.elements;
+        Parts { elements: [first, second, twist.filter(|_| !is_free)], ..self }
+    }
+
+    /// The plane of a part, given the x axis of its member, if that has one.
     ///
     /// # Errors
-    /// [`Mistake::NoOrientation`] where the member leads along its `up`.
-    pub(crate) fn plane<D: Dimension>(&self, part: usize, along: [f64; 3]) -> Result<MemberPlane<f64>, Mistake> {
+    /// [`Mistake::NoOrientation`] where the member leads along its `up`, [`Mistake::Up`] where that is no direction.
+    pub(crate) fn plane<D: Dimension>(
+        &self,
+        part: usize,
+        along: Option<[f64; 3]>,
+    ) -> Result<MemberPlane<f64>, Mistake> {
         if D::FREEDOMS != Freedoms::SPACE {
             return Ok(MemberPlane::Structure);
         }
@@ -99,14 +111,18 @@ impl Parts {
             None if part == 2 => return Ok(MemberPlane::About),
             None => {}
         }
+        if self.up.is_some_and(|up| !network::is_direction(up)) {
+            return Err(Mistake::Up);
+        }
+        let Some(along) = along else { return Ok(MemberPlane::First(UP)) };
         let is_along = |up: [f64; 3]| {
-            let [x, y, z] = along;
-            let [u, v, w] = up;
+            let unit = |vector: [f64; 3]| {
+                let size = vector.iter().fold(0.0, |sum: f64, part| sum.hypot(*part));
+                vector.map(|part| part / size)
+            };
+            let ([x, y, z], [u, v, w]) = (unit(along), unit(up));
             let across = [y * w - z * v, z * u - x * w, x * v - y * u];
-            let size = |vector: [f64; 3]| vector.iter().map(|part| part * part).sum::<f64>();
-            let [across, least] = [size(across), PARALLEL * PARALLEL * size(along) * size(up)];
-            // a NaN is no direction either
-            across.is_nan() || across <= least
+            across.iter().map(|part| part * part).sum::<f64>() <= PARALLEL * PARALLEL
         };
         let up = match self.up {
             None if is_along(UP) && self.is_symmetric => UP_OF_VERTICAL,
@@ -130,4 +146,16 @@ pub(crate) fn freedoms_in(part: usize, of_member: Freedoms) -> Freedoms {
     let of_part = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
     let held = of_part.filter(|(_, of)| of.is_some_and(|of| of_member.contains(of)));
     held.map(|(single, _)| single).fold(Freedoms::NONE, Freedoms::union)
+}
+
+/// Sine of the angle between the directions of both ends of a joint up to which they are one, as two formulas of it are.
+const ONE_DIRECTION: f64 = 1e-9;
+
+/// Whether two vectors have one direction.
+pub(crate) fn is_one_direction(one: [f64; 3], other: [f64; 3]) -> bool {
+    let [x, y, z] = one;
+    let [u, v, w] = other;
+    let size = |vector: [f64; 3]| vector.iter().fold(0.0, |sum: f64, part| sum.hypot(*part));
+    let across = size([y * w - z * v, z * u - x * w, x * v - y * u]);
+    across <= ONE_DIRECTION * size(one) * size(other) && x * u + y * v + z * w > 0.0
 }

@@ -46,31 +46,38 @@ impl Tensor {
 /// The entries of a tensor that is not indefinite: those that are given, with an addition on the diagonal where rounding has made them so. None
 /// where they are indefinite beyond rounding, or not finite.
 pub(crate) fn definite(entries: [f64; 6]) -> Option<[f64; 6]> {
-    let trace: f64 = entries[..3].iter().sum();
+    let largest = entries.iter().fold(0.0, |largest: f64, entry| largest.max(entry.abs()));
+    if !largest.is_finite() || entries.iter().any(|entry| entry.is_nan()) {
+        return None;
+    }
+    // over a power of two no sum and no product is out of range
+    let exponent = binary_exponent(largest);
+    let [first, second] = [exponent / 2, exponent - exponent / 2];
+    let scaled = entries.map(|entry| entry * power_of_two(-first) * power_of_two(-second));
+    let trace: f64 = scaled[..3].iter().sum();
     let mut addition = 0.0;
     while addition <= LARGEST_ADDITION {
-        let mut own = entries;
-        own[..3].iter_mut().for_each(|moment| *moment += addition * trace);
+        let (mut own, mut kept) = (scaled, entries);
+        let least = addition * trace;
+        own[..3].iter_mut().for_each(|moment| *moment += least);
+        kept[..3].iter_mut().for_each(|moment| *moment += least * power_of_two(first) * power_of_two(second));
         if is_definite(own) {
-            return Some(own);
+            return Some(kept);
         }
         addition = if addition == 0.0 { ADDITION } else { 4.0 * addition };
     }
     None
 }
 
-/// Whether all principal minors of a tensor are proven not to be negative.
+/// Whether all principal minors of a tensor whose entries are at most 2 are proven not to be negative.
 fn is_definite([xx, yy, zz, xy, yz, zx]: [f64; 6]) -> bool {
-    let products = [xy, yz, zx];
-    if ![xx, yy, zz].iter().all(|moment| *moment >= 0.0 && moment.is_finite()) {
+    if [xx, yy, zz].iter().any(|moment| *moment < 0.0) {
         return false;
     }
-    if products == [0.0; 3] {
+    if [xy, yz, zx] == [0.0; 3] {
         return true;
     }
-    // with entries of at most 1 rounding is a part of 1
-    let scale = power_of_two(-binary_exponent(xx.max(yy).max(zz)).clamp(-1000, 1000));
-    let [xx, yy, zz, xy, yz, zx] = [xx, yy, zz, xy, yz, zx].map(|entry| DoubleDouble::from_f64(entry * scale));
+    let [xx, yy, zz, xy, yz, zx] = [xx, yy, zz, xy, yz, zx].map(DoubleDouble::from_f64);
     let minors = [(xx, yy, xy), (yy, zz, yz), (zz, xx, zx)];
     let third = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx);
     let is_proven = |minor: DoubleDouble| minor.to_f64() >= ROUNDING;
@@ -104,5 +111,11 @@ mod tests {
         assert_eq!(definite([1.0, 1.0, 1.0, 1.1, 0.0, 0.0]), None);
         assert_eq!(definite([-1e-3, 1.0, 1.0, 0.0, 0.0, 0.0]), None);
         assert_eq!(definite([f64::NAN, 1.0, 1.0, 0.0, 0.0, 0.0]), None);
+        for size in [1e308, 1e-307, 1.0] {
+            assert_eq!(
+                definite([size, size, size, 0.1 * size, 0.0, 0.0]),
+                Some([size, size, size, 0.1 * size, 0.0, 0.0])
+            );
+        }
     }
 }

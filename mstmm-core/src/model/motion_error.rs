@@ -221,14 +221,7 @@ impl MotionError {
             MotionError::NoSuchParameter => write!(f, "no parameter of this name has a derivative here"),
             MotionError::OtherFrame { index } => write!(f, "point or member {index} belongs to another frame"),
             MotionError::NotHeld { freedom } => {
-                let name = match freedom {
-                    Freedoms::X => "along x",
-                    Freedoms::Y => "along y",
-                    Freedoms::Z => "along z",
-                    Freedoms::RX => "against rotation about x",
-                    Freedoms::RY => "against rotation about y",
-                    _ => "against rotation",
-                };
+                let name = held_name(freedom);
                 write!(f, "no support holds this point {name}: there is no reaction, and nothing that could move it")
             }
             MotionError::NotModal => {
@@ -238,14 +231,7 @@ impl MotionError {
                 )
             }
             MotionError::NoSuchFreedom { freedom } => {
-                let name = match freedom {
-                    Freedoms::X => "displacement or force along x",
-                    Freedoms::Y => "displacement or force along y",
-                    Freedoms::Z => "displacement or force along z",
-                    Freedoms::RX => "rotation or moment about x",
-                    Freedoms::RY => "rotation or moment about y",
-                    _ => "rotation or moment",
-                };
+                let name = motion_name(freedom);
                 write!(f, "this point has no {name}: no element there brings it, or a joint releases it")
             }
             MotionError::Range { start, end } => {
@@ -269,6 +255,30 @@ impl MotionError {
             }
             _ => Ok(()),
         }
+    }
+}
+
+/// How a support holds a freedom.
+fn held_name(freedom: Freedoms) -> &'static str {
+    match freedom {
+        Freedoms::X => "along x",
+        Freedoms::Y => "along y",
+        Freedoms::Z => "along z",
+        Freedoms::RX => "against rotation about x",
+        Freedoms::RY => "against rotation about y",
+        _ => "against rotation",
+    }
+}
+
+/// A motion of a freedom, or its force.
+fn motion_name(freedom: Freedoms) -> &'static str {
+    match freedom {
+        Freedoms::X => "displacement or force along x",
+        Freedoms::Y => "displacement or force along y",
+        Freedoms::Z => "displacement or force along z",
+        Freedoms::RX => "rotation or moment about x",
+        Freedoms::RY => "rotation or moment about y",
+        _ => "rotation or moment",
     }
 }
 

@@ -81,6 +81,20 @@ where
         mass_product(self.system, self.x, &self.motion, &self.motion)
     }
 
+    /// The largest sum of forces on the motions of a node, of a shape of unit modal mass, beside the largest force.
+    ///
+    /// Where all ends are free, as of a beam in the air, there is no force but that of the inertia inside of members: `|λ|²` times the modal mass is
+    /// its work on the shape, so that over the largest displacement is its size.
+    fn relative_imbalance(&self) -> f64 {
+        let [worst, largest] = self.imbalance();
+        if worst <= RESOLVED * largest {
+            return if worst > 0.0 { worst / largest } else { 0.0 };
+        }
+        let displacement = self.largest_deflection().max(self.largest_motion());
+        let inertia = if displacement > 0.0 { self.x.lambda_squared().size() / displacement } else { 0.0 };
+        worst / largest.max(inertia)
+    }
+
     /// The shape divided by the size of its largest displacement, of nodes and inside of members; `None` if nothing is displaced.
     #[must_use]
     pub fn with_unit_deflection(mut self) -> Option<Self> {
@@ -253,7 +267,7 @@ where
         let misfit = mass_product(self.system, self.x, &difference, &difference).size().sqrt();
         let shape = self.shape(motion);
         // at rest no force is there to compare with
-        let imbalance = if self.x.is_zero() { 0.0 } else { shape.imbalance() };
+        let imbalance = if self.x.is_zero() { 0.0 } else { shape.relative_imbalance() };
         let misfit = worse(misfit.max(imbalance), shape.trapped());
         Ok((shape, misfit))
     }

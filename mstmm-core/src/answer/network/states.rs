@@ -148,9 +148,9 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
         placement.tied(end, self.motion.nodes.as_ref()[placement.node_of(end)])
     }
 
-    /// The largest sum of forces on the motions of a node, beside the largest force of a member or of inertia; a moment counts by the
+    /// The largest sum of forces on the motions of a node, and the largest force of a member or of the inertia of a body; a moment counts by the
     /// longest member.
-    pub(super) fn imbalance(&self) -> f64 {
+    pub(super) fn imbalance(&self) -> [f64; 2] {
         let nodes = self.system.sizes()[0];
         let length = longest(self.system);
         let size = |forces: &Six<S>| size_on_node(forces, length);
@@ -165,7 +165,14 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
             let motions = self.system.node(node).1;
             worst = worst.max(size(&motions.displacements(motions.parts_of(*reaction))));
         }
-        if worst > 0.0 { worst / largest } else { 0.0 }
+        [worst, largest]
+    }
+
+    /// The size of the largest displacement or rotation of a node; a rotation counts by the longest member.
+    pub(super) fn largest_motion(&self) -> f64 {
+        let length = longest(self.system);
+        let nodes = &self.motion.nodes.as_ref()[..self.system.sizes()[0]];
+        nodes.iter().map(|node| size_on_node(node, 1.0 / length)).fold(0.0, f64::max)
     }
 
     /// λ² times the mass matrix of the body of a node.

@@ -130,8 +130,7 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         if member_count == 0 {
             refuse(NetworkError::Empty);
         }
-        let node_count = nodes.len();
-        let sizes = [node_count, member_count];
+        let sizes @ [node_count, _] = [nodes.len(), member_count];
         let mut motions = M::per_node(node_count, Motions::none());
         let mut stiffness = StiffnessRoom::new(sizes);
         let mut wrong_nodes = M::per_node(node_count, false);

@@ -6,25 +6,23 @@ use crate::pass::network::stiffness::total::StiffnessTotal;
 use crate::structure::triangle::{place, row};
 
 /// Most variables of the plane that leave together, and of space.
-const GROUP: usize = 3;
+pub(super) const IN_PLANE: usize = 3;
 #[cfg(feature = "std")]
-const LARGEST: usize = 6;
-#[cfg(not(feature = "std"))]
-const LARGEST: usize = GROUP;
+pub(super) const IN_SPACE: usize = 6;
 
-/// Memory for a front of up to `W` variables, with so many entries.
-pub(super) struct StiffnessMemory<S: Scalar, const W: usize, const ENTRIES: usize> {
+/// Memory for a front of up to `W` variables, of which up to `G` leave together, with so many entries.
+pub(super) struct StiffnessMemory<S: Scalar, const W: usize, const ENTRIES: usize, const G: usize> {
     entries: [S; ENTRIES],
     places: [usize; W],
-    solved: [[S; LARGEST]; W],
+    solved: [[S; G]; W],
 }
 
-impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTRIES> {
+impl<S: Scalar, const W: usize, const ENTRIES: usize, const G: usize> StiffnessMemory<S, W, ENTRIES, G> {
     /// Memory without a front.
     #[inline(always)]
     pub(super) fn new() -> Self {
         const { assert!(ENTRIES == row(W)) };
-        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); LARGEST]; W] }
+        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); G]; W] }
     }
 
     /// An empty front of up to so many variables in this memory.
@@ -34,7 +32,7 @@ impl<S: Scalar, const W: usize, const ENTRIES: usize> StiffnessMemory<S, W, ENTR
         StiffnessFront {
             entries: &mut self.entries,
             places: &mut self.places,
-            solved: &mut self.solved,
+            solved: self.solved.as_flattened_mut(),
             total: StiffnessTotal::new(),
         }
     }
@@ -46,7 +44,7 @@ pub(super) struct StiffnessFront<'r, S: Scalar> {
     pub(super) entries: &'r mut [S],
     /// The places of the variables that are coupled to those that leave, and their entries there over the pivots.
     places: &'r mut [usize],
-    solved: &'r mut [[S; LARGEST]],
+    solved: &'r mut [S],
     pub(super) total: StiffnessTotal<S>,
 }
 
@@ -55,8 +53,8 @@ impl<S: Scalar> StiffnessFront<'_, S> {
     #[inline(always)]
     pub(super) fn eliminate(&mut self, group: &Group) {
         match group.places() {
-            [first, GROUP] => self.pivot_on::<GROUP>([first, GROUP], group.beside),
-            places => self.pivot_on::<GROUP>(places, group.beside),
+            [first, IN_PLANE] => self.pivot_on::<IN_PLANE>([first, IN_PLANE], group.beside),
+            places => self.pivot_on::<IN_PLANE>(places, group.beside),
         }
     }
 
@@ -65,8 +63,8 @@ impl<S: Scalar> StiffnessFront<'_, S> {
     #[inline(always)]
     pub(super) fn eliminate_in_space(&mut self, group: &Group) {
         match group.places() {
-            [first, LARGEST] => self.pivot_on::<LARGEST>([first, LARGEST], group.beside),
-            places => self.pivot_on::<LARGEST>(places, group.beside),
+            [first, IN_SPACE] => self.pivot_on::<IN_SPACE>([first, IN_SPACE], group.beside),
+            places => self.pivot_on::<IN_SPACE>(places, group.beside),
         }
     }
 
@@ -90,11 +88,10 @@ impl<S: Scalar> StiffnessFront<'_, S> {
                 }
                 solved[k] = factors[k] * own[k][k];
             }
-            self.places[beside] = other;
-            self.solved[beside][..G].copy_from_slice(&solved);
+            (self.places[beside], self.solved.as_chunks_mut::<G>().0[beside]) = (other, solved);
             beside += 1;
             let start = row(other);
-            for (other, solved) in self.places[..beside].iter().zip(self.solved.iter()) {
+            for (other, solved) in self.places[..beside].iter().zip(self.solved.as_chunks::<G>().0) {
                 let entry = &mut self.entries[start + other];
                 for k in (0..count).rev() {
                     *entry -= factors[k] * solved[k];

@@ -17,6 +17,8 @@ mod node;
 mod numbers;
 mod pass;
 mod released;
+#[cfg(feature = "std")]
+mod spatial_room;
 mod total;
 mod waves;
 

@@ -8,10 +8,10 @@ use crate::pass::network::motions::Motions;
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::stiffness::arrangement::arrange;
-#[cfg(feature = "std")]
-use crate::pass::network::stiffness::in_space::SpatialRoom;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::node::StiffnessNode;
+#[cfg(feature = "std")]
+use crate::pass::network::stiffness::spatial_room::SpatialRoom;
 use mstmm_plan::NetworkOrder;
 
 /// Memory for a network in numbers, in the order in which a pass needs them.

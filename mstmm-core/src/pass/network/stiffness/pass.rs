@@ -2,8 +2,6 @@
 
 use crate::number::{FrequencyPowers, Scalar, Size};
 use crate::pass::network::stiffness::front::StiffnessFront;
-#[cfg(feature = "std")]
-use crate::pass::network::stiffness::in_space::eliminate_all_in_space;
 use crate::pass::network::stiffness::joined::Joins;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::model::StiffnessModel;
@@ -15,10 +13,6 @@ use mstmm_plan::Freedoms;
 /// Eliminates all nodes at a frequency: members join a front, and what no member will join any more leaves.
 #[inline(always)]
 pub(super) fn eliminate_all<S: Joins>(model: &StiffnessModel<'_>, front: &mut StiffnessFront<'_, S>, omega: S) {
-    #[cfg(feature = "std")]
-    if let Some(space) = model.space {
-        return eliminate_all_in_space(model, space, front, omega);
-    }
     let (at, mut waves) = (FrequencyPowers::new(omega, true), BeamWaves::new());
     let (mut joined, mut parted) = (0usize, 0usize);
     for &node in model.order {
