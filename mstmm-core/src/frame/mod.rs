@@ -18,6 +18,8 @@ mod section;
 mod structure;
 mod supports;
 mod tensor;
+#[cfg(test)]
+mod tests;
 
 pub use bodies::{PointMass, Rigid, RigidBody, RigidLink};
 pub use dimension::{Dimension, Flat, Line, Place, Plane, Space};
