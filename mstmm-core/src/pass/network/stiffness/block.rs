@@ -5,7 +5,7 @@ use crate::number::InLanes;
 use crate::number::{Packed, Size, Task, run};
 #[cfg(feature = "std")]
 use crate::pass::network::stiffness::front::IN_SPACE;
-use crate::pass::network::stiffness::front::{IN_PLANE, StiffnessFront, StiffnessMemory};
+use crate::pass::network::stiffness::front::{IN_PLANE, StiffnessFront};
 use crate::pass::network::stiffness::group::MOST;
 #[cfg(feature = "std")]
 use crate::pass::network::stiffness::in_space::eliminate_all_in_space;
@@ -15,6 +15,7 @@ use crate::pass::network::stiffness::pass::eliminate_all;
 #[cfg(feature = "std")]
 use crate::pass::network::stiffness::spatial_room::SpatialRoom;
 use crate::pass::network::stiffness::total::StiffnessTotal;
+use crate::structure::triangle::row;
 
 /// Some frequencies with what was computed there.
 pub(crate) struct StiffnessBlock<'a> {
@@ -71,13 +72,14 @@ impl StiffnessBlock<'_> {
         &mut self,
         model: &StiffnessModel<'_>,
     ) {
-        let mut memory = StiffnessMemory::<S, W, ENTRIES, G>::new();
+        const { assert!(ENTRIES == row(W)) };
+        let (mut entries, mut places, mut solved) = ([S::zero(); ENTRIES], [0; W], [[S::zero(); G]; W]);
         self.unknown = 0;
         let mut from = 0;
         while from < self.omega.len() {
             let lanes = from..self.omega.len().min(from + S::LANES);
             let omega = S::load(&self.omega[lanes.clone()]);
-            let mut front = memory.front(model.width);
+            let mut front = StiffnessFront::new(model.width, &mut entries, &mut places, solved.as_flattened_mut());
             eliminate::<S, G>(model, &mut front, &omega);
             let StiffnessTotal { product, exponent, below } = front.total;
             let value = product

@@ -10,34 +10,6 @@ pub(super) const IN_PLANE: usize = 3;
 #[cfg(feature = "std")]
 pub(super) const IN_SPACE: usize = 6;
 
-/// Memory for a front of up to `W` variables, of which up to `G` leave together, with so many entries.
-pub(super) struct StiffnessMemory<S: Scalar, const W: usize, const ENTRIES: usize, const G: usize> {
-    entries: [S; ENTRIES],
-    places: [usize; W],
-    solved: [[S; G]; W],
-}
-
-impl<S: Scalar, const W: usize, const ENTRIES: usize, const G: usize> StiffnessMemory<S, W, ENTRIES, G> {
-    /// Memory without a front.
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        const { assert!(ENTRIES == row(W)) };
-        StiffnessMemory { entries: [S::zero(); ENTRIES], places: [0; W], solved: [[S::zero(); G]; W] }
-    }
-
-    /// An empty front of up to so many variables in this memory.
-    #[inline(always)]
-    pub(super) fn front(&mut self, width: usize) -> StiffnessFront<'_, S> {
-        self.entries[..row(width)].fill(S::zero());
-        StiffnessFront {
-            entries: &mut self.entries,
-            places: &mut self.places,
-            solved: self.solved.as_flattened_mut(),
-            total: StiffnessTotal::new(),
-        }
-    }
-}
-
 /// The dynamic stiffness over the variables that members have brought and that have not left, each in its place.
 pub(super) struct StiffnessFront<'r, S: Scalar> {
     /// The lower triangle, row after row; zero where no variable is, and between variables that nothing couples.
@@ -46,6 +18,15 @@ pub(super) struct StiffnessFront<'r, S: Scalar> {
     places: &'r mut [usize],
     solved: &'r mut [S],
     pub(super) total: StiffnessTotal<S>,
+}
+
+impl<'r, S: Scalar> StiffnessFront<'r, S> {
+    /// An empty front of up to so many variables, in memory for its entries, for places, and for what is solved of each.
+    #[inline(always)]
+    pub(super) fn new(width: usize, entries: &'r mut [S], places: &'r mut [usize], solved: &'r mut [S]) -> Self {
+        entries[..row(width)].fill(S::zero());
+        StiffnessFront { entries, places, solved, total: StiffnessTotal::new() }
+    }
 }
 
 impl<S: Scalar> StiffnessFront<'_, S> {
