@@ -9,6 +9,7 @@ use crate::pass::network::stiffness::numbers::Waving;
 use crate::pass::network::stiffness::released::OwnStiffness;
 use crate::pass::network::stiffness::spatial_room::{Rows, SpatialRoom};
 use crate::pass::network::stiffness::waves::{BeamWaves, Bending, Line, line};
+use crate::pass::network::vector::Six;
 use crate::structure::triangle::{place, row};
 use mstmm_plan::Freedoms;
 
@@ -113,28 +114,41 @@ fn add_bent<S: Scalar>(
     let [xx, xx_across] = along.stiffness;
     for (end, turn) in [yt, -yt].into_iter().enumerate() {
         let Some([first, count]) = seat.places(end) else { continue };
-        let [of_along, of_across, of_turn] = &rows[end];
         for k in 0..count {
-            let [a, c, t] = [of_along[k], of_across[k], of_turn[k]].map(S::from_f64);
-            let (own_along, own_across, own_turn) = (xx * a, yy * c + turn * t, turn * c + tt * t);
+            // y with θ is `yt` at the input end, and the opposite at the output end
+            let own = work([xx, yy, tt], [turn, turn], &rows[end], k);
             let start = row(first + k) + first;
             for (l, entry) in front.entries[start..=start + k].iter_mut().enumerate() {
-                let [a, c, t] = [of_along[l], of_across[l], of_turn[l]].map(S::from_f64);
-                *entry += own_along * a + own_across * c + own_turn * t;
+                *entry += on(own, &rows[end], l);
             }
         }
     }
     let [Some([first, count]), Some([other, other_count])] = [seat.places(0), seat.places(1)] else { return };
-    let [[of_along, of_across, of_turn], [beside_along, beside_across, beside_turn]] = rows;
     for k in 0..count {
-        let [a, c, t] = [of_along[k], of_across[k], of_turn[k]].map(S::from_f64);
         // y with θ' is `yt'`, and θ with y' the opposite
-        let own_along = xx_across * a;
-        let own_across = yy_across * c - yt_across * t;
-        let own_turn = yt_across * c + tt_across * t;
+        let own = work([xx_across, yy_across, tt_across], [-yt_across, yt_across], &rows[0], k);
         for l in 0..other_count {
-            let [a, c, t] = [beside_along[l], beside_across[l], beside_turn[l]].map(S::from_f64);
-            front.add([first + k, other + l], own_along * a + own_across * c + own_turn * t);
+            front.add([first + k, other + l], on(own, &rows[1], l));
         }
     }
+}
+
+/// What a motion of a node makes of the forces along, across and about, given the stiffness of each and that of y by θ and of θ by y.
+#[inline(always)]
+fn work<S: Scalar>(
+    [xx, yy, tt]: [S; 3],
+    [y_by_turn, turn_by_y]: [S; 2],
+    rows: &[Six<f64>; 3],
+    motion: usize,
+) -> [S; 3] {
+    let along = S::from_f64(rows[0][motion]);
+    let across = S::from_f64(rows[1][motion]);
+    let turn = S::from_f64(rows[2][motion]);
+    [xx * along, yy * across + y_by_turn * turn, turn_by_y * across + tt * turn]
+}
+
+/// The work of forces along, across and about on a motion of a node.
+#[inline(always)]
+fn on<S: Scalar>([along, across, about]: [S; 3], rows: &[Six<f64>; 3], motion: usize) -> S {
+    along * S::from_f64(rows[0][motion]) + across * S::from_f64(rows[1][motion]) + about * S::from_f64(rows[2][motion])
 }

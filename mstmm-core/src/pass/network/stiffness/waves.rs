@@ -52,7 +52,12 @@ impl<S: Scalar> BeamWaves<S> {
     ) -> &(Bending<S>, Line<S>) {
         let waves = &mut self.0[seat.waves as usize];
         if seat.is_first {
-            *waves = (bending(across, at), along.map_or(Waves::none(), |along| line(along, at)));
+            // a closure would be compiled for itself, and not for the lanes of its caller
+            waves.0 = bending(across, at);
+            waves.1 = match along {
+                Some(along) => line(along, at),
+                None => Waves::none(),
+            };
         }
         waves
     }
