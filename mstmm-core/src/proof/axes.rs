@@ -9,7 +9,7 @@ use crate::proof::row::{difference, is_one, is_zero};
 use crate::proof::word::Word;
 
 /// A vector.
-type Vector<N> = [Ball<N>; 3];
+pub(crate) type Vector<N> = [Ball<N>; 3];
 
 /// A product: exact where a factor is 0, 1 or -1.
 fn times<N: Level>(one: Ball<N>, other: Ball<N>) -> Ball<N> {
@@ -40,13 +40,19 @@ fn plus<N: Level>(one: Ball<N>, other: Ball<N>) -> Ball<N> {
 }
 
 /// The product of two vectors.
-fn dot<N: Level>(one: &Vector<N>, other: &Vector<N>) -> Ball<N> {
+pub(crate) fn dot<N: Level>(one: &Vector<N>, other: &Vector<N>) -> Ball<N> {
     one.iter().zip(other).fold(Ball::of(0.0), |sum, (one, other)| plus(sum, times(*one, *other)))
+}
+
+/// A part of the vector across two vectors.
+pub(crate) fn part_across<N: Level>(one: &Vector<N>, other: &Vector<N>, axis: usize) -> Ball<N> {
+    let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+    plus(times(one[next], other[last]), -times(one[last], other[next]))
 }
 
 /// The vector across two vectors.
 fn cross<N: Level>(one: &Vector<N>, other: &Vector<N>) -> Vector<N> {
-    [(1, 2), (2, 0), (0, 1)].map(|(a, b)| plus(times(one[a], other[b]), -times(one[b], other[a])))
+    [0, 1, 2].map(|axis| part_across(one, other, axis))
 }
 
 /// The difference of two places.

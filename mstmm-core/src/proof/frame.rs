@@ -2,9 +2,11 @@
 
 use crate::element::{Exact, MemberNumbers, OwnPart};
 use crate::model::{MemberPlane, Skew};
-use crate::proof::axes::{Axes, difference_of, direction, directions};
+use crate::proof::axes::{Axes, Vector, difference_of, direction, directions, dot, part_across};
 use crate::proof::ball::Ball;
 use crate::proof::join::{Failure, Join};
+use crate::proof::level::Level;
+use crate::proof::number::Number;
 use crate::proof::row::Row;
 use crate::proof::visit::{MemberEnd, NodeNumbers};
 use mstmm_plan::Freedoms;
@@ -44,14 +46,49 @@ const LOCAL: usize = 3;
 /// Displacements along and across a member and the rotation, of both ends.
 type BothEnds<N, const M: usize> = [[Row<N, M>; LOCAL]; 2];
 
-/// The displacements and the rotations of a place, along and about x, y and z.
-struct Motion<R> {
-    displacements: [R; 3],
-    rotations: [R; 3],
+/// A place that is tied to a node: the variables of that, the directions of the first ones if they are skew, and the vector to the place.
+struct Tied<N: Number, const M: usize> {
+    variables: [Option<usize>; M],
+    skew: Option<[Vector<N>; 2]>,
+    offset: Vector<N>,
 }
 
-/// The places of the rotations about x, y and z among the variables of a node.
+/// The places of displacements along x, y and z, and of rotations about them, among the variables of a node.
+const DISPLACEMENTS: [usize; 3] = [0, 1, 3];
 const ROTATIONS: [usize; 3] = [4, 5, 2];
+
+impl<N: Level<Word = f64, Alone = N>, const M: usize> Tied<N, M> {
+    /// The variable at a place.
+    fn variable(&self, place: usize) -> Option<Row<N, 1>> {
+        self.variables.get(place).copied().flatten().map(Row::of)
+    }
+
+    /// Puts the displacement in a direction e into a row: of a rotation about an axis of the offset o it is the part of `o × e` there.
+    fn displace(&self, direction: &Vector<N>, row: &mut Row<N, M>) {
+        match &self.skew {
+            Some(vectors) => {
+                for (place, vector) in vectors.iter().enumerate() {
+                    self.variable(place).iter().for_each(|own| row.add(own, dot(vector, direction)));
+                }
+            }
+            None => {
+                for (place, part) in DISPLACEMENTS.into_iter().zip(direction) {
+                    self.variable(place).iter().for_each(|own| row.add(own, *part));
+                }
+            }
+        }
+        for (axis, place) in ROTATIONS.into_iter().enumerate() {
+            self.variable(place).iter().for_each(|own| row.add(own, part_across(&self.offset, direction, axis)));
+        }
+    }
+
+    /// Puts the rotation about an axis into a row.
+    fn turn(&self, axis: &Vector<N>, row: &mut Row<N, M>) {
+        for (place, part) in ROTATIONS.into_iter().zip(axis) {
+            self.variable(place).iter().for_each(|own| row.add(own, *part));
+        }
+    }
+}
 
 impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
     /// No node.
@@ -88,37 +125,13 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         variables
     }
 
-    /// The displacements and rotations of a place that is tied to a node.
-    #[inline(never)]
-    fn motion<J: Join>(&mut self, node: &NodeNumbers, place: [Exact; 3], joining: &mut J) -> Motion<Row<J::Alone, M>> {
-        let variables = self.variables(node, joining).map(|variable| variable.map(Row::<J::Alone, 1>::of));
-        let own = |place: usize| variables.get(place).and_then(Option::as_ref);
-        let mut displacements = [Row::none(); 3];
-        match node.skew {
-            Some(skew) => {
-                for (place, vector) in directions(skew).into_iter().enumerate() {
-                    for (row, part) in displacements.iter_mut().zip(vector) {
-                        own(place).into_iter().for_each(|own| row.add(own, part));
-                    }
-                }
-            }
-            None => {
-                for (row, place) in displacements.iter_mut().zip([0, 1, 3]) {
-                    own(place).into_iter().for_each(|own| row.add(own, Ball::of(1.0)));
-                }
-            }
+    /// A place that is tied to a node.
+    fn tied<J: Join>(&mut self, node: &NodeNumbers, place: [Exact; 3], joining: &mut J) -> Tied<J::Alone, M> {
+        Tied {
+            variables: self.variables(node, joining),
+            skew: node.skew.map(directions),
+            offset: difference_of(node.place, place),
         }
-        let mut rotations = [Row::none(); 3];
-        let offset = difference_of(node.place, place);
-        for (axis, row) in rotations.iter_mut().enumerate() {
-            let Some(rotation) = own(ROTATIONS[axis]) else { continue };
-            row.add(rotation, Ball::of(1.0));
-            // about x a place moves along y by -z, and along z by y
-            let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
-            displacements[next].add(rotation, -offset[last]);
-            displacements[last].add(rotation, offset[next]);
-        }
-        Motion { displacements, rotations }
     }
 
     /// Displacements along and across a member and the rotation at one of its ends, as far as they are wanted. What an end does not share with
@@ -132,24 +145,18 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         own: &mut Released,
         joining: &mut J,
     ) -> [Row<J::Alone, M>; LOCAL] {
-        let motion = self.motion(&end.node, end.place, joining);
+        let tied = self.tied(&end.node, end.place, joining);
         let mut rows = [Row::none(); LOCAL];
-        let of_axes = [
-            (&axes.along, &motion.displacements),
-            (&axes.across, &motion.displacements),
-            (&axes.normal, &motion.rotations),
-        ];
-        for ((row, freedom), (axis, parts)) in rows.iter_mut().zip(Freedoms::SINGLE).zip(of_axes) {
-            if !wanted.contains(freedom) {
-                continue;
-            }
+        for (row, freedom) in rows.iter_mut().zip(Freedoms::SINGLE).filter(|(_, freedom)| wanted.contains(*freedom)) {
             if end.released.contains(freedom) {
                 let variable = joining.enter();
                 own.list[own.count] = variable;
                 own.count += 1;
                 *row = Row::of(variable);
+            } else if freedom.is(Freedoms::RZ) {
+                tied.turn(&axes.normal, row);
             } else {
-                parts.iter().zip(axis).for_each(|(part, factor)| row.add(part, *factor));
+                tied.displace(if freedom.is(Freedoms::X) { &axes.along } else { &axes.across }, row);
             }
         }
         rows
@@ -274,7 +281,13 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         centre: [Exact; 3],
         joining: &mut J,
     ) {
-        let Motion { displacements, rotations } = self.motion(node, centre, joining);
+        let tied = self.tied(node, centre, joining);
+        let axes = Axes::of_structure();
+        let (mut displacements, mut rotations) = ([Row::none(); 3], [Row::none(); 3]);
+        for (axis, direction) in [&axes.along, &axes.across, &axes.normal].into_iter().enumerate() {
+            tied.displace(direction, &mut displacements[axis]);
+            tied.turn(direction, &mut rotations[axis]);
+        }
         displacements.iter().for_each(|row| joining.add_mass(mass, row.terms()));
         let [xx, yy, zz, products @ ..] = inertia;
         if products.iter().all(|product| *product == [0.0; 2]) {
