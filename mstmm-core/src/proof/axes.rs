@@ -52,12 +52,13 @@ pub(crate) fn part_across<N: Level>(one: &Vector<N>, other: &Vector<N>, axis: us
 
 /// The vector across two vectors.
 fn cross<N: Level>(one: &Vector<N>, other: &Vector<N>) -> Vector<N> {
-    [0, 1, 2].map(|axis| part_across(one, other, axis))
+    [part_across(one, other, 0), part_across(one, other, 1), part_across(one, other, 2)]
 }
 
 /// The difference of two places.
 pub(crate) fn difference_of<N: Level>(from: [Exact; 3], to: [Exact; 3]) -> Vector<N> {
-    [0, 1, 2].map(|k| difference(from[k], to[k]))
+    let ([x, y, z], [to_x, to_y, to_z]) = (from, to);
+    [difference(x, to_x), difference(y, to_y), difference(z, to_z)]
 }
 
 /// The direction of a vector of any length, and that length. Along an axis all are exact.
@@ -71,7 +72,8 @@ pub(crate) fn direction<N: Level>(vector: Vector<N>) -> (Vector<N>, Ball<N>) {
     }
     let length = dot(&vector, &vector).root();
     let inverse = length.inverse();
-    (vector.map(|part| times(part, inverse)), length)
+    let [x, y, z] = vector;
+    ([times(x, inverse), times(y, inverse), times(z, inverse)], length)
 }
 
 /// The directions in which a skew node moves: they span all of its displacements.
@@ -112,7 +114,8 @@ impl<N: Level> Axes<N> {
             }
             MemberPlane::Second(up) => {
                 let y = y_axis(up);
-                Axes { along, across: cross(&along, &y), normal: y.map(|part| -part) }
+                let [a, b, c] = y;
+                Axes { along, across: cross(&along, &y), normal: [-a, -b, -c] }
             }
             MemberPlane::Along => Axes { along, across: zero, normal: zero },
             MemberPlane::About => Axes { along, across: zero, normal: along },

@@ -43,9 +43,6 @@ pub(crate) struct Nodes<const M: usize, const TWO: usize> {
 /// Displacements along and across a member and rotations of its ends: how many there are.
 const LOCAL: usize = 3;
 
-/// Displacements along and across a member and the rotation, of both ends.
-type BothEnds<N, const M: usize> = [[Row<N, M>; LOCAL]; 2];
-
 /// A place that is tied to a node: the variables of that, the directions of the first ones if they are skew, and the vector to the place.
 struct Tied<N: Number, const M: usize> {
     variables: [Option<usize>; M],
@@ -162,26 +159,29 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         rows
     }
 
-    /// Displacements along and across a member and rotations of both ends, as far as they are wanted, and its length.
-    fn both<J: Join>(
+    /// The axes of a member, and its length, if it has these from its places.
+    fn axes<N: Level<Word = f64, Alone = N>>(ends: &[MemberEnd; 2], plane: &MemberPlane<Exact>) -> (Axes<N>, Ball<N>) {
+        let (along, length) = direction(difference_of(ends[0].place, ends[1].place));
+        (Axes::new(plane, along), length)
+    }
+
+    /// Displacements along and across a member and the rotation at one of its ends, which has axes of its own if it has a direction.
+    #[inline(always)]
+    fn end<J: Join>(
         &mut self,
-        ends: &[MemberEnd; 2],
-        (wanted, plane): (Freedoms, MemberPlane<Exact>),
+        end: &MemberEnd,
+        (axes, plane): (&Axes<J::Alone>, &MemberPlane<Exact>),
+        wanted: Freedoms,
         own: &mut Released,
         joining: &mut J,
-    ) -> (BothEnds<J::Alone, M>, Ball<J::Alone>) {
-        let turns_in_plane = wanted.is(Freedoms::RZ) && plane == MemberPlane::Structure;
-        let (mut axes, mut length) = (Axes::of_structure(), Ball::of(0.0));
-        if !turns_in_plane && ends.iter().any(|end| end.along.is_none()) {
-            let (along, size) = direction(difference_of(ends[0].place, ends[1].place));
-            (axes, length) = (Axes::new(&plane, along), size);
+    ) -> [Row<J::Alone, M>; LOCAL] {
+        match end.along.filter(|_| !turns_in_plane(wanted, plane)) {
+            Some([x, y, z]) => {
+                let along = direction([Ball::of_pair(x), Ball::of_pair(y), Ball::of_pair(z)]).0;
+                self.local(end, &Axes::new(plane, along), wanted, own, joining)
+            }
+            None => self.local(end, axes, wanted, own, joining),
         }
-        let rows = [0, 1].map(|end| {
-            let turned = ends[end].along.filter(|_| !turns_in_plane);
-            let own_axes = turned.map(|along| Axes::new(&plane, direction(along.map(Ball::of_pair)).0));
-            self.local(&ends[end], own_axes.as_ref().unwrap_or(&axes), wanted, own, joining)
-        });
-        (rows, length)
     }
 
     /// A member joins.
@@ -196,7 +196,10 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
     ) {
         let mut own = Released { list: [0; 2 * LOCAL], count: 0 };
         let wanted = if own_part.is_some() { freedoms } else { freedoms_of(numbers) };
-        let ([first, second], length) = self.both(ends, (wanted, plane), &mut own, joining);
+        let has_axes = !turns_in_plane(wanted, &plane) && ends.iter().any(|end| end.along.is_none());
+        let (axes, length) = if has_axes { Self::axes(ends, &plane) } else { (Axes::of_structure(), Ball::of(0.0)) };
+        let first = self.end(&ends[0], (&axes, &plane), wanted, &mut own, joining);
+        let second = self.end(&ends[1], (&axes, &plane), wanted, &mut own, joining);
         let (numbers, damping) = numbers.parted();
         match &numbers {
             MemberNumbers::Other if own_part.is_some() => {
@@ -335,6 +338,11 @@ fn gap<J: Join, const M: usize, const TWO: usize>(
     let mut gap = rows[1].widened::<TWO>();
     gap.add(rows[0], -ratio);
     gap
+}
+
+/// Whether a member turns about z of a plane structure: then it needs no axes.
+fn turns_in_plane(wanted: Freedoms, plane: &MemberPlane<Exact>) -> bool {
+    wanted.is(Freedoms::RZ) && *plane == MemberPlane::Structure
 }
 
 /// Variables of a member's own.
