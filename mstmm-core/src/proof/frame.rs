@@ -19,7 +19,9 @@ pub(crate) const IN_PLANE: usize = Freedoms::SINGLE.len();
 pub(crate) const TWICE_IN_PLANE: usize = 2 * IN_PLANE;
 
 /// Most variables of a node of a structure in space, and twice as many.
+#[cfg(feature = "std")]
 pub(crate) const IN_SPACE: usize = Freedoms::EACH.len();
+#[cfg(feature = "std")]
 pub(crate) const TWICE_IN_SPACE: usize = 2 * IN_SPACE;
 
 /// A node whose variables are in the front.

@@ -29,6 +29,7 @@ impl<T: Parameter> PlacedNode<T> {
     }
 
     /// The node with freedoms held.
+    #[cfg(feature = "std")]
     pub(crate) fn held(self, held: Freedoms) -> Self {
         PlacedNode { held, ..self }
     }
