@@ -33,6 +33,7 @@ impl<B: Across> Sideways<B> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<B: Stretching> Element for Sideways<B> {
     type State = B::State;
     type Built = B::Built;
@@ -50,18 +51,21 @@ impl<B: Stretching> Element for Sideways<B> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<B: Stretching + TransferMatrix<S>, S: Single> TransferMatrix<S> for Sideways<B> {
     fn transfer_matrix(built: &B::Built, x: S) -> crate::element::MatrixOf<B, S> {
         B::transfer_matrix(built, x)
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<B: Stretching + ChartedAcross<S>, S: Scalar> Charted<S> for Sideways<B> {
     fn chart(built: &B::Built, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
         B::chart_across(built, at, length, None)
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<B: Stretching + MemberMotion<S>, S: Scalar> MemberMotion<S> for Sideways<B> {
     fn forms(built: &B::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
         B::forms(built, &along_path(first), &along_path(second))
@@ -94,6 +98,7 @@ impl<B: Stretching + MemberMotion<S>, S: Scalar> MemberMotion<S> for Sideways<B>
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<B: Stretching + MemberGradient<S>, S: Scalar> MemberGradient<S> for Sideways<B> {
     type Gradient = SidewaysGradient<B::Gradient>;
 

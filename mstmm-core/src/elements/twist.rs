@@ -57,6 +57,7 @@ macro_rules! twist {
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl<T: Parameter> Element for $twist<T> {
             type State = Rotation;
             type Built = $built<T>;
@@ -76,18 +77,21 @@ macro_rules! twist {
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl<T: Parameter, S: $frequency<T> + Single> TransferMatrix<S> for $twist<T> {
             fn transfer_matrix(built: &$built<T>, x: S) -> Matrix2<S> {
                 <$shaft<T> as TransferMatrix<S>>::transfer_matrix(built, x)
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl<T: Parameter, S: $frequency<T> + ChartScalar> Charted<S> for $twist<T> {
             fn chart(built: &$built<T>, at: &FrequencyPowers<S>, length: S) -> Chart<S> {
                 line_chart(&AlongWaves::<S>::longitudinal(built, at, length), Freedoms::RZ)
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberMotion<S> for $twist<T> {
             fn forms(built: &$built<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
                 <$shaft<T> as MemberMotion<S>>::forms(built, first, second)
@@ -102,6 +106,7 @@ macro_rules! twist {
             }
         }
 
+        #[diagnostic::do_not_recommend]
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberGradient<S> for $twist<T> {
             type Gradient = TwistGradient<$shaft<S>>;
 
