@@ -1,5 +1,6 @@
 //! Frames in space: exact values, an independent model, laws.
 
+mod buildings;
 mod cases;
 mod exact;
 mod laws;

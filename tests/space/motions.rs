@@ -1,9 +1,9 @@
 //! Motions of frames in space: closed forms, motions between ends, equilibrium, sensitivities.
 
 use crate::random::random_model;
-use mstmm::frame::{Frame, Hinge, Point, PointMass, Section, Space, Tensor};
+use mstmm::frame::{Frame, Hinge, Point, PointMass, RigidBody, Section, Space, Tensor};
 use mstmm::motion::PlaneLoad;
-use mstmm::network::Support;
+use mstmm::network::{Freedoms, Support};
 use mstmm::prelude::*;
 use mstmm::search::critical_loads;
 
@@ -220,4 +220,68 @@ fn a_joint_has_one_axis() {
     for named in [[true, true], [true, false], [false, true]] {
         assert!((first(named) - 1.0).abs() < 1e-13);
     }
+}
+
+/// Oracle: differences of the entries of a tensor, each of which stands twice off the diagonal.
+#[test]
+fn sensitivities_to_bodies_are_slopes() {
+    const NAMES: [&str; 6] = ["inertia_xx", "inertia_yy", "inertia_zz", "inertia_xy", "inertia_yz", "inertia_zx"];
+    let entries = [3.0, 4.0, 5.0, 0.4, -0.3, 0.6];
+    let engine = |mass: f64, entries: [f64; 6]| {
+        let mut frame = Frame::new();
+        let [foot, knee, tip] = points(&mut frame, [[0.0; 3], [1.0, 0.7, 0.2], [1.5, 0.9, 1.4]]);
+        frame.hold(foot, Support::Fixed);
+        frame.member(foot, knee, STEEL.up([0.3, 0.2, 0.8]));
+        frame.member(knee, tip, STEEL.up([0.9, 0.2, 0.1]));
+        let body = frame.body([tip], RigidBody { mass, inertia: Tensor::new(entries), centre: [1.6, 1.2, 1.5] });
+        (frame, body)
+    };
+    let (frame, body) = engine(30.0, entries);
+    let structure = frame.build().unwrap();
+    for (place, root) in structure.frequencies(6).unwrap().iter().enumerate() {
+        let sensitivities = structure.sensitivity(root).unwrap();
+        let difference = |changed: &dyn Fn(f64) -> Frame<Space>| {
+            let omega = |step: f64| changed(step).build().unwrap().frequencies(6).unwrap()[place].omega;
+            (omega(1e-5) - omega(-1e-5)) / 2e-5
+        };
+        let by_mass = difference(&|step| engine(30.0 + step, entries).0);
+        assert!((sensitivities.of(body, "mass").unwrap() - by_mass).abs() < 1e-7 * root.omega, "{place}: {by_mass}");
+        for (entry, name) in NAMES.into_iter().enumerate() {
+            let by_entry = difference(&|step| {
+                let mut own = entries;
+                own[entry] += step;
+                engine(30.0, own).0
+            });
+            let own = sensitivities.of(body, name).unwrap();
+            assert!((own - by_entry).abs() < 1e-7 * root.omega, "{place} {name}: {own} {by_entry}");
+        }
+        assert!(sensitivities.of(body, "inertia").is_err());
+    }
+}
+
+/// A member whose both ends let go of its rotation has no torsion, and one that supports let turn has a motion at rest.
+#[test]
+fn what_turns_freely_about_itself_has_no_torsion() {
+    let between = |released: Freedoms, held: Freedoms| {
+        let mut frame = Frame::new();
+        let [from, to] = points(&mut frame, [[0.0; 3], [2.0, 0.0, 0.0]]);
+        frame.hold(from, held);
+        frame.hold(to, held);
+        let shaft = frame.member(from.releasing(released), to.releasing(released), STEEL);
+        (frame.build().unwrap(), shaft, to)
+    };
+    let all_but_spin = Freedoms::SPACE.without(Freedoms::RX);
+    let (released, shaft, to) = between(Freedoms::RX, Freedoms::SPACE);
+    assert!(released.frequencies(1).unwrap()[0].omega > 0.0);
+    assert!(released.frequency_response(to.motion_y(), shaft.input().torque()).is_err());
+    let (turning, shaft, to) = between(Freedoms::NONE, all_but_spin);
+    assert_eq!(turning.frequencies(1).unwrap()[0].omega, 0.0);
+    assert!(turning.frequency_response(to.torque_x(), shaft.input().torque()).is_ok());
+    // bending is the same, and the shaft has roots between free ends besides, π/l √(GJ/ρI)
+    let spin = std::f64::consts::PI / 2.0 * (2e4_f64 / 0.5).sqrt();
+    let has_spin = |structure: &mstmm::frame::Structure<Space>| {
+        let found = structure.frequencies(8).unwrap();
+        found.iter().any(|root| (root.omega / spin - 1.0).abs() < 1e-12)
+    };
+    assert!(has_spin(&turning) && !has_spin(&released));
 }
