@@ -204,7 +204,7 @@ fn all_that_is_wrong_is_said_at_once_by_name() {
             "path point 0: springs that move and springs that turn meet at this point of a path, or nothing does",
             "member \"column\": `axial_stiffness` is missing: in the plane and in space beams and strings stretch, too; a large number is nearly rigid",
             "member 1: it ends at the ground or at a path, which have no place: end it at a point",
-            "member 2: it acts on a point in no direction: `point.along([dx, dy])`",
+            "member 2: it acts on a point in no direction: `point.along(..)`",
             "member 3: it lets nothing go and would be rigid: a hinge names a stiffness, `stiffness_rz(0.0)`, or write `Pin`",
             "member 4: a point or a member of another frame: each frame has handles of its own",
             "point 0: it is held twice: name all that is held at once",
