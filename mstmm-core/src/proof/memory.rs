@@ -51,6 +51,8 @@ impl Memory {
                 0 => on_stack(question, PhantomData as Kind<N, 6, 21, 4>),
                 1 => on_stack(question, PhantomData as Kind<N, 12, 78, 12>),
                 2 => on_stack(question, PhantomData as Kind<N, 24, 300, 24>),
+                3 => on_stack(question, PhantomData as Kind<N, 36, 666, 36>),
+                4 => on_stack(question, PhantomData as Kind<N, 48, 1176, 48>),
                 _ => return None,
             };
             match outcomes {
@@ -96,7 +98,7 @@ impl Memory {
 }
 
 /// The number of memories that are small enough for lanes.
-const SMALL: usize = 3;
+const SMALL: usize = 5;
 
 apart! {
     /// Runs in memory on the stack.

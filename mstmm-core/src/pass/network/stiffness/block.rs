@@ -45,7 +45,7 @@ impl StiffnessBlock<'_> {
             return match model.width {
                 0..=24 => self.in_memory::<24, 300, IN_SPACE>(model, in_lanes),
                 25..=36 => self.in_memory::<36, 666, IN_SPACE>(model, in_lanes),
-                _ => self.in_memory::<MOST, 1176, IN_SPACE>(model, false),
+                _ => self.in_memory::<MOST, 1176, IN_SPACE>(model, in_lanes),
             };
         }
         match model.width {
