@@ -79,6 +79,7 @@ pub use model::load_error::LoadError;
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};
+pub use model::space_point::{InSpace, SpacePoint};
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,
@@ -113,7 +114,7 @@ pub use pass::network::{
     Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
     Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
     PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Seat,
-    Skeleton, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint, SketchedSupport, StiffnessModel,
+    Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane, SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel,
     build_member, network_pass, overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;

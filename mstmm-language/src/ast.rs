@@ -94,7 +94,7 @@ impl Model {
         self.paths.iter().flat_map(|path| path.rest.iter().map(|(arrow, _)| arrow))
     }
 
-    /// Whether a point has a location: the model then is a network of points in the plane, and else a tree of paths.
+    /// Whether a point has a location: the model then is a network of points, and else a tree of paths.
     pub(crate) fn is_located(&self) -> bool {
         self.nodes().any(|node| node.location().is_some())
     }
@@ -126,7 +126,7 @@ pub(crate) struct TransferPath {
 pub(crate) struct Arrow {
     pub(crate) forward: bool,
     pub(crate) place: Place,
-    /// The direction in the middle of the arrow, `-> along (dx, dy) ->`, in which a path acts on a connection.
+    /// The direction in the middle of the arrow, `-> along (dx, dy) ->` or `-> about (x, y, z) ->`, in which a path acts on a connection.
     pub(crate) along: Option<Coordinates>,
 }
 
@@ -137,7 +137,7 @@ pub(crate) enum Node {
     Element(Box<Element>),
 }
 
-/// A mention of a support, `pinned` or `roller at (x, y) along (dx, dy)`.
+/// A mention of a support, `pinned` or `roller at (x, y) along (dx, dy)`, `roller at (x, y, z) normal (nx, ny, nz)`.
 pub(crate) struct Support {
     pub(crate) keyword: Ident,
     /// The freedoms in the parentheses of `held(x, rz)`.
@@ -165,9 +165,14 @@ pub(crate) struct Element {
     pub(crate) dimension: Dimension,
     /// A mistake that `check` explains: points have locations, elements have none.
     pub(crate) location: Option<Coordinates>,
+    /// The row of what it is as a part of another element.
+    pub(crate) part_row: Option<&'static Keyword>,
+    /// Its parts in space, by their planes: that of x and y, that of x and z, and the rotation about x.
+    pub(crate) parts: [Option<Box<Element>>; 3],
 }
 
 /// The kind of an element: a keyword of the language or a type of the user.
+#[derive(Clone)]
 pub(crate) enum Kind {
     Keyword(Ident),
     Type(Path),
@@ -182,9 +187,12 @@ pub(crate) struct Parameter {
     pub(crate) section: Option<Ident>,
     /// Whether what is wrong with its name was told of another element.
     pub(crate) is_told: bool,
+    /// What the model calls it, where it is that of a part and has another name there.
+    pub(crate) called: Option<&'static str>,
 }
 
 /// The name of an element or a connection.
+#[derive(Clone)]
 pub(crate) enum Label {
     Name(Ident),
     /// A number; `check` refuses other literals.
@@ -218,6 +226,16 @@ impl Element {
         self.parameters.iter().flatten()
     }
 
+    /// The parts of a parameter; one of another expression than a tuple, none where it is not given.
+    pub(crate) fn tuple(&self, name: &str) -> Vec<Expr> {
+        let mut named = self.parameters().filter(|parameter| parameter.name.unraw() == name);
+        let value = named.next().map(|parameter| parameter.expression());
+        value.map_or_else(Vec::new, |value| match tuple_parts(&value) {
+            Some(parts) => parts.into_iter().cloned().collect(),
+            None => vec![value],
+        })
+    }
+
     /// Whether a parameter of that name is given.
     pub(crate) fn gives(&self, name: &str) -> bool {
         self.parameters().any(|parameter| parameter.name.unraw() == name)
@@ -226,6 +244,7 @@ impl Element {
     /// The row of the element's keyword; `None` for a type of the user and for a misspelt keyword.
     pub(crate) fn known(&self) -> Option<&'static Keyword> {
         match &self.kind {
+            Kind::Keyword(_) if self.part_row.is_some() => self.part_row,
             Kind::Keyword(keyword) => {
                 let is_of_path = keyword == STRING && !self.is_string_between_places();
                 let dimension = if is_of_path { Dimension::Line } else { self.dimension };
@@ -235,10 +254,10 @@ impl Element {
         }
     }
 
-    /// Whether it is a string between two places of the plane; one of a path names its length.
+    /// Whether it is a string between two places; one of a path names its length.
     fn is_string_between_places(&self) -> bool {
         matches!(&self.kind, Kind::Keyword(keyword) if keyword == STRING)
-            && self.dimension == Dimension::Plane
+            && self.dimension != Dimension::Line
             && !self.gives("length")
     }
 
@@ -256,9 +275,9 @@ impl Element {
         Some(self.known()?.type_with(|name| self.gives(name)))
     }
 
-    /// Whether it stretches beside what its type is.
-    pub(crate) fn stretches(&self) -> bool {
-        self.known().is_some_and(|keyword| keyword.stretches)
+    /// The type that moves its own across itself.
+    pub(crate) fn wrapper(&self) -> Option<&'static str> {
+        self.known().and_then(|keyword| keyword.wrapper)
     }
 
     /// The name of its type, or its keyword where it has none. A rigid link of the plane is a body without mass.
@@ -282,8 +301,16 @@ impl Element {
 
     /// The fields of other names than their parameters, which it gives.
     pub(crate) fn renamed(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        let all = self.type_row().map_or(&[][..], |row| row.renamed).iter();
-        all.filter(|(name, _)| self.gives(name)).map(|(name, field)| (*field, *name))
+        let row = self.type_row();
+        let all = row.map_or(&[][..], |row| row.renamed).iter();
+        let own = all.filter(|(name, _)| self.gives(name)).map(|(name, field)| (*field, *name));
+        // a part has the names of the model first
+        let of_part = self.parameters().filter_map(move |parameter| {
+            let known = row?.parameters.iter().chain(self.known()?.required);
+            let name = known.copied().find(|name| parameter.name.unraw() == name)?;
+            Some((row?.field(name), parameter.called?))
+        });
+        of_part.chain(own).collect::<Vec<_>>().into_iter()
     }
 
     /// The fields of its type that were left out, each with the value that it has as if it were not there.

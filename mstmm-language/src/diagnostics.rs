@@ -43,17 +43,6 @@ impl Errors {
         }
     }
 
-    /// All errors, and a last one.
-    pub(crate) fn and(self, last: syn::Error) -> syn::Error {
-        match self.0 {
-            None => last,
-            Some(mut errors) => {
-                errors.combine(last);
-                errors
-            }
-        }
-    }
-
     /// Whether there is none so far.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_none()

@@ -5,7 +5,7 @@ use crate::diagnostics::Errors;
 use crate::groups::{in_braces, made_visible};
 use crate::keywords::Dimension;
 use crate::network::{self, Network, Paths, Points};
-use crate::{check, depth, emit, parse, plan::Plan, sections, skeleton::Skeleton, topology::Graph};
+use crate::{check, depth, emit, parse, parts, plan::Plan, sections, skeleton::Skeleton, topology::Graph};
 use proc_macro2::TokenStream;
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
@@ -28,7 +28,7 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     check::words(&model, &mut errors);
     let derivatives = check::derivatives(&model, &mut errors);
     if model.is_located() {
-        let (dimension, errors) = located(&mut model, errors)?;
+        let dimension = located(&mut model, &mut errors);
         let network = network(&model, dimension, errors)?;
         return emit::located(&model, &unused, &network, &Skeleton::of(&network), &derivatives);
     }
@@ -46,14 +46,11 @@ pub(crate) fn read(input: TokenStream, errors: &mut Errors) -> syn::Result<Model
 }
 
 /// The dimension of a model with locations, which its elements then know.
-pub(crate) fn located(model: &mut Model, mut errors: Errors) -> syn::Result<(Dimension, Errors)> {
-    match check::dimension(model, &mut errors) {
-        Ok(dimension) => {
-            model.elements_mut().for_each(|element| element.dimension = dimension);
-            Ok((dimension, errors))
-        }
-        Err(space) => Err(errors.and(space)),
-    }
+pub(crate) fn located(model: &mut Model, errors: &mut Errors) -> Dimension {
+    let dimension = check::dimension(model, errors);
+    model.elements_mut().for_each(|element| element.dimension = dimension);
+    parts::split(model);
+    dimension
 }
 
 /// The network of a model with locations, or all errors in it.

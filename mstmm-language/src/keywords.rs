@@ -2,6 +2,7 @@
 
 mod dimension;
 mod elements;
+mod in_space;
 mod located;
 mod old_words;
 
@@ -10,8 +11,10 @@ use elements::BAR;
 pub(crate) use elements::{
     AXIAL_STIFFNESS, DAMPING, ELEMENTS, Keyword, STRING, TypeRow, element_of, elements_of_paths, has_somewhere, neutral,
 };
+pub(crate) use in_space::{PAIRS, in_space};
 pub(crate) use located::{
-    ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING_BETWEEN_PLACES, freedom_of, located_of,
+    ABOUT, ALONG, AT, DISPLACEMENTS, FREEDOMS, HELD, LOCATED, LocatedKeyword, NORMAL, RIGID_LINK, ROTATIONS, Role,
+    STRING_BETWEEN_PLACES, Tuple, freedom_of, located_of, ties,
 };
 use mstmm_plan::Support;
 #[cfg(test)]

@@ -14,6 +14,7 @@ mod groups;
 mod keywords;
 mod network;
 mod parse;
+mod parts;
 mod plan;
 mod sections;
 mod skeleton;

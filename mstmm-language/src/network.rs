@@ -17,7 +17,7 @@ pub(crate) use classes::Classes;
 pub(crate) use freedoms::{FreedomSet, freedoms};
 pub(crate) use graph::{Edge, Graph, Location, Named};
 pub(crate) use hand_over::{
-    Direction, Holds, Joint, Network, PathContact, PathElement, Support, Suspicion, TransferPath,
+    Direction, Holds, Joint, Member, Network, PathContact, PathElement, Support, Suspicion, TransferPath,
 };
 pub(crate) use paths::{Contact, Path, PathMotion, Paths};
 pub(crate) use points::Points;

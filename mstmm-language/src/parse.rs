@@ -5,12 +5,12 @@ mod suffix;
 
 use crate::ast::{Arrow, Model, Section, TransferPath};
 use crate::diagnostics::{Errors, Place};
-use crate::keywords::{ALONG, SECTION};
+use crate::keywords::{ABOUT, ALONG, SECTION};
 use crate::spans::collect_names;
 use proc_macro2::{Group, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::collections::BTreeSet;
 use std::fmt::Display;
-use suffix::{ALONG_STANDS, is_arrow, is_word, parse_coordinates};
+use suffix::{is_arrow, is_one_of, is_word, parse_coordinates, stands_between};
 use syn::parse::{Parse, ParseStream, Parser, Result};
 use syn::{
     Attribute, Error, Ident, ItemStruct, LitInt, Local, LocalInit, LocalModifiers, Pat, PatType, Token, Visibility,
@@ -160,21 +160,24 @@ impl Parse for TransferPath {
 impl Parse for Arrow {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
         let (forward, place) = parse_arrow(input)?;
-        if !is_word(input, ALONG) {
+        if !is_one_of(input, &[ALONG, ABOUT]) {
             return Ok(Arrow { forward, place, along: None });
         }
         let along = parse_coordinates(input.parse()?, input)?;
+        let word = &along.keyword;
         if !is_arrow(input) {
-            return Err(Error::new(along.keyword.span(), ALONG_STANDS));
+            return Err(Error::new(word.span(), stands_between(word)));
         }
         let ahead = input.fork();
         if parse_arrow(input)?.0 != forward {
-            let message =
-                "the arrows on both sides of `along` are one: turn one of them round, so that both point one way";
+            let message = format!(
+                "the arrows on both sides of `{word}` are one: turn one of them round, so that both point one way"
+            );
             return Err(error_at(&ahead, message));
         }
-        if is_word(input, ALONG) {
-            return Err(error_at(input, "the path has its direction already: remove this `along`"));
+        if is_one_of(input, &[ALONG, ABOUT]) {
+            let second: Ident = input.fork().parse()?;
+            return Err(error_at(input, format!("the path has its direction already: remove this `{second}`")));
         }
         Ok(Arrow { forward, place, along: Some(along) })
     }

@@ -104,6 +104,7 @@ fn spread_into(
                 value,
                 section: Some(section.name.clone()),
                 is_told: false,
+                called: None,
             });
         }
     }

@@ -13,15 +13,16 @@ mod tests;
 mod text;
 
 use crate::ast::{Connection, Element};
+use crate::keywords::{DISPLACEMENTS, Dimension, ROTATIONS};
 use crate::network::FreedomSet;
 use mstmm_plan::Freedoms;
 use syn::Expr;
 
 /// A network as nodes and members.
-#[derive(Default)]
 pub(crate) struct Skeleton<'a> {
-    pub(crate) places: Vec<Vector<'a>>,
-    pub(crate) directions: Vec<Vector<'a>>,
+    pub(crate) dimension: Dimension,
+    pub(crate) places: Vec<Place>,
+    pub(crate) directions: Vec<Direction>,
     pub(crate) bodies: Vec<Body<'a>>,
     pub(crate) nodes: Vec<Node<'a>>,
     pub(crate) members: Vec<Member<'a>>,
@@ -49,17 +50,34 @@ pub(crate) struct Support {
     pub(crate) point: usize,
     /// Index of the node that it holds.
     pub(crate) node: usize,
-    /// What it holds of the freedoms of its point, besides the displacement across a direction.
+    /// What it holds of the freedoms of its point, besides displacements across a direction, or along it.
     pub(crate) held: Freedoms,
-    /// Index of the direction along which the point moves.
-    pub(crate) along: Option<usize>,
+    /// How the point moves where it does not along axes.
+    pub(crate) skew: Option<Skew>,
 }
 
-/// A place or a direction, with the name of what has it.
-pub(crate) struct Vector<'a> {
+/// How a point moves where it does not along axes.
+#[derive(Clone, Copy)]
+pub(crate) struct Skew {
+    /// Index of the direction.
+    pub(crate) direction: usize,
+    /// Whether it is held along that, and moves across it.
+    pub(crate) is_normal: bool,
+}
+
+/// A place, with the name of what stands there.
+pub(crate) struct Place {
     pub(crate) name: String,
-    /// One part or two; the other is zero.
-    pub(crate) parts: &'a [Expr],
+    /// One part or several; the others are zero.
+    pub(crate) parts: Vec<Expr>,
+}
+
+/// A direction, with the name of what has it and the word in front of it.
+pub(crate) struct Direction {
+    pub(crate) name: String,
+    pub(crate) word: String,
+    /// One part or several; the others are zero.
+    pub(crate) parts: Vec<Expr>,
 }
 
 /// A mass at a node.
@@ -67,7 +85,7 @@ pub(crate) struct Body<'a> {
     pub(crate) element: &'a Element,
     pub(crate) node: usize,
     /// The coordinates of its mass centre; none on a path, where it does not matter.
-    pub(crate) centre: &'a [Expr],
+    pub(crate) centre: Vec<Expr>,
 }
 
 /// A node.
@@ -79,18 +97,47 @@ pub(crate) struct Node<'a> {
     pub(crate) freedoms: FreedomSet<'a>,
     /// The freedoms that are held, besides those that it has not.
     pub(crate) held: Freedoms,
-    /// Index of the direction along which it moves.
-    pub(crate) along: Option<usize>,
+    /// How it moves where it does not along axes.
+    pub(crate) skew: Option<Skew>,
+    /// The freedoms that nodes may have.
+    pub(crate) all: Freedoms,
 }
 
-/// A member.
+/// A member, or a part of a member in space.
 pub(crate) struct Member<'a> {
     pub(crate) what: What<'a>,
     pub(crate) name: String,
     /// The name of its type, or its keyword where it has none; none of a second support of a body.
     pub(crate) kind: Option<String>,
     pub(crate) freedoms: FreedomSet<'a>,
+    pub(crate) plane: Plane,
+    /// Whether it is a further part of the member before it.
+    pub(crate) is_further: bool,
     pub(crate) ends: [End; 2],
+}
+
+/// The plane in which a member moves, or a part of one.
+#[derive(Clone, Copy)]
+pub(crate) enum Plane {
+    /// x and y of the structure.
+    Structure,
+    /// x and y of the member.
+    First(Up),
+    /// x and z of the member.
+    Second(Up),
+    /// None: it has one motion.
+    OneMotion,
+}
+
+/// The vector that is made the z axis of a member.
+#[derive(Clone, Copy)]
+pub(crate) enum Up {
+    /// The direction of an index.
+    Named(usize),
+    /// z of space.
+    Z,
+    /// z of space, but x where the member leads along z: its planes are alike.
+    Any,
 }
 
 impl Member<'_> {
@@ -170,15 +217,17 @@ impl Node<'_> {
     /// The freedoms that it has, and those that are held or that it has not, if rustc need not be asked.
     pub(crate) fn known(&self) -> Option<[Freedoms; 2]> {
         let freedoms = self.freedoms.as_known()?;
-        let held = self.held.union(Freedoms::PLANE.without(freedoms));
-        Some([freedoms, if self.along.is_some() { held.intersection(Freedoms::RZ) } else { held }])
+        let held = self.held.union(self.all.without(freedoms));
+        Some([freedoms, if self.skew.is_some() { held.intersection(ROTATIONS) } else { held }])
     }
 
     /// The motions that its supports leave, as far as they are known.
     pub(crate) fn motions(&self) -> usize {
-        let free = Freedoms::PLANE.without(self.known().map_or(self.held, |[_, held]| held));
-        match self.along {
-            Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
+        let free = self.all.without(self.known().map_or(self.held, |[_, held]| held));
+        let rotations = free.intersection(ROTATIONS).count();
+        match self.skew {
+            Some(Skew { is_normal: true, .. }) => self.all.intersection(DISPLACEMENTS).count() - 1 + rotations,
+            Some(_) => 1 + rotations,
             None => free.count(),
         }
     }

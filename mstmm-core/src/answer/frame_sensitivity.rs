@@ -6,7 +6,7 @@ use crate::answer::root::{Root, moved_by_work, simple_root};
 use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
 use crate::frame::{Body, Dimension, Framework, Member};
 use crate::model::MotionError;
-use crate::pass::network::vector::{difference, moved, rotations};
+use crate::pass::network::vector::{difference, moved};
 use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
 use mstmm_plan::Freedoms;
 
@@ -101,20 +101,15 @@ where
         let position = Placed::node(*frame, node).0.position;
         let to_centre = difference(position, centre).map(S::from_f64);
         let (square, centre) = (shape.x.lambda_squared(), moved(shape.all_of(node)?, to_centre));
-        let [by_mass, by_inertia] = body_slopes(square, centre);
-        let [x, y, z] = rotations(centre);
-        let half = S::from_f64(0.5) * square;
-        let is_in_space = D::FREEDOMS == Freedoms::SPACE;
+        let (by_mass, by_entries) = body_slopes(square, centre);
+        let names: &[_] = if D::FREEDOMS == Freedoms::SPACE { &ENTRIES } else { &["", "", "inertia"] };
+        let entry = names.iter().position(|entry| *entry == name).map(|entry| by_entries[entry]);
         Ok(match name {
             "mass" => Some(by_mass),
-            "inertia" if !is_in_space => Some(by_inertia),
-            "inertia_xx" if is_in_space => Some(half * x * x),
-            "inertia_yy" if is_in_space => Some(half * y * y),
-            "inertia_zz" if is_in_space => Some(half * z * z),
-            "inertia_xy" if is_in_space => Some(square * x * y),
-            "inertia_yz" if is_in_space => Some(square * y * z),
-            "inertia_zx" if is_in_space => Some(square * z * x),
-            _ => None,
+            _ => entry,
         })
     }
 }
+
+/// The entries of the inertia of a body in space.
+const ENTRIES: [&str; 6] = ["inertia_xx", "inertia_yy", "inertia_zz", "inertia_xy", "inertia_yz", "inertia_zx"];

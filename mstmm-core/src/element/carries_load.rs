@@ -1,6 +1,6 @@
 //! Elements on which a uniform load acts.
 
-use crate::model::{Label, Load, MemberLabel, PlaneLoad};
+use crate::model::{InSpace, Label, Load, MemberLabel, PlaneLoad};
 
 /// An element on which a load acts all along, known by [`load_work`](crate::Energies::load_work).
 ///
@@ -37,6 +37,13 @@ impl<M, E> MemberLabel<M, E> {
         E: CarriesLoad,
     {
         PlaneLoad::along(self.handle(), 1)
+    }
+}
+
+impl<M: InSpace, E: CarriesLoad> MemberLabel<M, E> {
+    /// A load of 1 N along z on each metre of the member's length, whatever its direction, in space.
+    pub const fn uniform_load_z(self) -> PlaneLoad<M> {
+        PlaneLoad::along(self.handle(), 3)
     }
 }
 

@@ -15,11 +15,17 @@ pub(crate) const fn along_member<E: Element>() -> Freedoms {
     if space_of::<E>().is(Space::Translation) { Freedoms::X } else { Freedoms::RZ }
 }
 
-/// The freedoms that a translation or rotation element brings to a point, where it has any direction.
+/// The freedoms that a translation or rotation element brings to a point, of those that the dimension has, where it has any direction.
 #[doc(hidden)]
 pub const fn brought<E: Element>() -> Freedoms {
     let along = along_member::<E>();
-    if along.is(Freedoms::X) { along.union(Freedoms::Y) } else { along }
+    if along.is(Freedoms::X) {
+        Freedoms::X.union(Freedoms::Y).union(Freedoms::Z)
+    } else if along.is(Freedoms::RZ) {
+        Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ)
+    } else {
+        along
+    }
 }
 
 /// Fails where an element of the user's own that stands in a path between places has more than one motion.

@@ -46,7 +46,9 @@ pub use line::{Damper, Inertia, Mass, Spring, SpringDamper, TorsionDamper, Torsi
 pub use planar_body::{PlanarBody, PlanarCentralBody};
 pub use planar_hinge::PlanarHinge;
 pub use point_mass::PointMass;
+pub use sideways::Sideways;
 pub use tapered_beam::TaperedBeam;
+pub use twist::{DampedTwist, Twist};
 pub use wave_line::{Rod, Shaft, TautString};
 
 /// An element type: its name, space and parameters. The language has a row for each, too, and a test compares the two.

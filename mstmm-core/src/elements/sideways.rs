@@ -12,7 +12,10 @@ use crate::structure::Chart;
 
 /// A string that moves across itself between two places.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sideways<B>(pub(crate) B);
+pub struct Sideways<B> {
+    /// The string.
+    pub across: B,
+}
 
 /// The motion of an end as the string has it, along its path, or that back again.
 fn turned<S: Scalar>(mut end: EndMotion<S>) -> EndMotion<S> {
@@ -29,7 +32,7 @@ fn along_path<S: Scalar>(motion: &MemberEnds<S>) -> MemberEnds<S> {
 impl<B: Across> Sideways<B> {
     /// The string of another length.
     pub(crate) fn of_length(self, length: B::Number) -> Self {
-        Sideways(self.0.of_length(length))
+        Sideways { across: self.across.of_length(length) }
     }
 }
 
@@ -39,7 +42,7 @@ impl<B: Stretching> Element for Sideways<B> {
     type Built = B::Built;
 
     fn build(self) -> Result<B::Built, InvalidParameter> {
-        self.0.build()
+        self.across.build()
     }
 
     fn estimate(built: &B::Built, estimates: &mut FrequencyEstimates) {
@@ -100,22 +103,19 @@ impl<B: Stretching + MemberMotion<S>, S: Scalar> MemberMotion<S> for Sideways<B>
 
 #[diagnostic::do_not_recommend]
 impl<B: Stretching + MemberGradient<S>, S: Scalar> MemberGradient<S> for Sideways<B> {
-    type Gradient = SidewaysGradient<B::Gradient>;
+    type Gradient = Sideways<B::Gradient>;
 
-    fn member_gradient(built: &B::Built, work: &MemberWork<S>) -> SidewaysGradient<B::Gradient> {
+    fn member_gradient(built: &B::Built, work: &MemberWork<S>) -> Sideways<B::Gradient> {
         let mut work = *work;
         work.ends = work.ends.map(turned);
         work.kinetic = [work.kinetic[1], work.kinetic[0]];
-        SidewaysGradient(B::member_gradient(built, &work))
+        Sideways { across: B::member_gradient(built, &work) }
     }
 }
 
-/// The derivatives of a string, but for that with respect to its length, which its places give.
-#[derive(Clone, Copy, Debug)]
-pub struct SidewaysGradient<G>(G);
-
-impl<S: Copy, G: ByName<S>> ByName<S> for SidewaysGradient<G> {
+impl<S: Copy, G: ByName<S>> ByName<S> for Sideways<G> {
+    /// That of the length is part of those of its places.
     fn by_name(&self, name: &str) -> Option<S> {
-        if name == "length" { None } else { self.0.by_name(name) }
+        if name == "length" { None } else { self.across.by_name(name) }
     }
 }

@@ -108,10 +108,24 @@ macro_rules! twist {
 
         #[diagnostic::do_not_recommend]
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberGradient<S> for $twist<T> {
-            type Gradient = TwistGradient<$shaft<S>>;
+            type Gradient = $twist<S>;
 
-            fn member_gradient(built: &$built<T>, work: &MemberWork<S>) -> TwistGradient<$shaft<S>> {
-                TwistGradient(<$shaft<T> as MemberGradient<S>>::member_gradient(built, work))
+            fn member_gradient(built: &$built<T>, work: &MemberWork<S>) -> $twist<S> {
+                let gradient = <$shaft<T> as MemberGradient<S>>::member_gradient(built, work);
+                let $shaft { length, torsional_stiffness, inertia_per_length, $($loss,)* .. } = gradient;
+                $twist { length, torsional_stiffness, polar_inertia_per_length: inertia_per_length, $($loss,)* }
+            }
+        }
+
+        impl<S: Copy> ByName<S> for $twist<S> {
+            /// That of the length is part of those of its places.
+            fn by_name(&self, name: &str) -> Option<S> {
+                match name {
+                    "torsional_stiffness" => Some(self.torsional_stiffness),
+                    "polar_inertia_per_length" => Some(self.polar_inertia_per_length),
+                    $(stringify!($loss) => Some(self.$loss),)*
+                    _ => None,
+                }
             }
         }
     };
@@ -125,20 +139,6 @@ macro_rules! shaft {
     (DampedShaft { $($field:ident,)* }) => {
         DampedShaft { $($field,)* external_damping: T::zero() }
     };
-}
-
-/// The derivatives of a shaft, by the names that a beam has.
-#[derive(Clone, Copy, Debug)]
-pub struct TwistGradient<G>(G);
-
-impl<S: Copy, G: ByName<S>> ByName<S> for TwistGradient<G> {
-    fn by_name(&self, name: &str) -> Option<S> {
-        match name {
-            "polar_inertia_per_length" => self.0.by_name("inertia_per_length"),
-            "inertia_per_length" | "external_damping" | "length" => None,
-            _ => self.0.by_name(name),
-        }
-    }
 }
 
 twist!(Twist as Shaft, UniformLine, Frequency: );

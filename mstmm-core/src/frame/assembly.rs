@@ -8,8 +8,7 @@ use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
 use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, freedoms_in, is_one_direction};
 use crate::frame::paths::motions;
-use crate::frame::tensor::definite;
-use crate::model::Tied;
+use crate::model::{Tied, definite};
 use crate::pass::network::{self, Part, PlacedNode, SpatialEnd};
 use mstmm_plan::Freedoms;
 use std::format;
@@ -194,7 +193,6 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         let is_known = network::is_direction(along);
         let mut planes = Vec::new();
         for (part, element) in parts.iter() {
-            // where the ends have no direction, that is what is wrong
             let plane = parts.plane::<D>(part, if is_known { Some(along) } else { None })?;
             planes.push((part, element, plane));
         }

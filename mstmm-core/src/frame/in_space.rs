@@ -160,8 +160,8 @@ impl FrameElement<Space> for TautString {
     fn member(self) -> FrameMember {
         let parts = || {
             let second = match string(&self.0)?.0 {
-                Strings::Undamped(across) => Sideways(across).into(),
-                Strings::Damped(across) => Sideways(across).into(),
+                Strings::Undamped(across) => Sideways { across }.into(),
+                Strings::Damped(across) => Sideways { across }.into(),
             };
             let elements = [Some(stretching(string(&self.0)?)), Some(second), None];
             Ok(Parts { elements, up: self.0.z_axis(), is_symmetric: true, named: 0 })

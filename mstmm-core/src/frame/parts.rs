@@ -4,7 +4,7 @@ use crate::element::MemberElement;
 use crate::elements::any_member::AnyMember;
 use crate::frame::dimension::Dimension;
 use crate::frame::error::Mistake;
-use crate::model::MemberPlane;
+use crate::model::{MemberPlane, up_of};
 use crate::pass::network;
 use mstmm_plan::Freedoms;
 
@@ -14,13 +14,6 @@ pub(crate) const MOST_PARTS: usize = 3;
 /// The displacements, and the rotations.
 pub(crate) const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
 pub(crate) const ROTATIONS: Freedoms = Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ);
-
-/// Sine of the angle between the axis of a member and its `up` below which that says no direction.
-const PARALLEL: f64 = 1e-9;
-
-/// `up` of a member that names none, and of one along that.
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
-const UP_OF_VERTICAL: [f64; 3] = [1.0, 0.0, 0.0];
 
 /// The elements of a member in its planes: x and y with the rotation about z, x and z with that about -y, and the rotation about x. In a plane
 /// structure, and of what has one motion, the first one is all.
@@ -114,23 +107,9 @@ impl Parts {
         if self.up.is_some_and(|up| !network::is_direction(up)) {
             return Err(Mistake::Up);
         }
-        let Some(along) = along else { return Ok(MemberPlane::First(UP)) };
-        let is_along = |up: [f64; 3]| {
-            let unit = |vector: [f64; 3]| {
-                let size = vector.iter().fold(0.0, |sum: f64, part| sum.hypot(*part));
-                vector.map(|part| part / size)
-            };
-            let ([x, y, z], [u, v, w]) = (unit(along), unit(up));
-            let across = [y * w - z * v, z * u - x * w, x * v - y * u];
-            across.iter().map(|part| part * part).sum::<f64>() <= PARALLEL * PARALLEL
-        };
-        let up = match self.up {
-            None if is_along(UP) && self.is_symmetric => UP_OF_VERTICAL,
-            up => up.unwrap_or(UP),
-        };
-        if is_along(up) {
-            return Err(Mistake::NoOrientation);
-        }
+        // where the ends have no direction, that is what is wrong
+        let Some(along) = along else { return Ok(MemberPlane::First([0.0, 0.0, 1.0])) };
+        let up = up_of(along, self.up, self.is_symmetric).map_err(|_| Mistake::NoOrientation)?;
         Ok(if part == 0 { MemberPlane::First(up) } else { MemberPlane::Second(up) })
     }
 }

@@ -1,5 +1,6 @@
 //! Parameters out of their ranges: errors carry the numbers that caused them.
 
+use crate::model::member_plane::PARALLEL;
 use crate::number::{Parameter, binary_exponent};
 use core::fmt;
 
@@ -51,6 +52,10 @@ pub enum Requirement {
     },
     /// The larger part of a direction, of whatever length between 1e-70 and 1e70.
     Direction,
+    /// Not negative, as the least moment of inertia of a body about any axis.
+    LeastMoment,
+    /// The sine of the angle between the axis of a member and its `up`: the z axis of the member is not along it.
+    Orientation,
 }
 
 impl fmt::Display for Requirement {
@@ -68,6 +73,8 @@ impl fmt::Display for Requirement {
             Requirement::Between { least, most } => write!(f, "from {least} to {most}"),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
+            Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),
+            Requirement::Orientation => write!(f, "at an angle to the member: name `up`, a vector that becomes its z axis"),
         }
     }
 }
@@ -99,7 +106,15 @@ impl fmt::Display for InvalidParameter {
         if let (Requirement::Apart { from, to }, true) = (requirement, *value == f64::INFINITY) {
             return write!(f, "{parameter} is infinite: {from} and {to} are farther apart than numbers reach");
         }
-        write!(f, "{parameter} is {}, but must be {requirement}", Readable(*value))
+        match requirement {
+            Requirement::LeastMoment => {
+                write!(f, "{parameter} has the least moment {}, but must be {requirement}", Readable(*value))
+            }
+            Requirement::Orientation => {
+                write!(f, "{parameter} is along the member, with the sine {}, but must be {requirement}", Readable(*value))
+            }
+            _ => write!(f, "{parameter} is {}, but must be {requirement}", Readable(*value)),
+        }
     }
 }
 
@@ -176,7 +191,8 @@ impl Requirement {
                     Err(InvalidParameter { parameter, value: number, requirement: self })
                 };
             }
-            Requirement::NonNegative => number >= 0.0,
+            Requirement::NonNegative | Requirement::LeastMoment => number >= 0.0,
+            Requirement::Orientation => number > PARALLEL,
             Requirement::Above { bound, .. } => number > bound,
             Requirement::Between { least, most } => (least..=most).contains(&number),
             // see `AtLeast`: three roundings of each of two numbers of the size of the bound

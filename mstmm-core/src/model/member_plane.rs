@@ -3,6 +3,8 @@
 //! A member in space is its parts: it stretches and bends in one plane through its axis, bends in the plane across that, and turns about its
 //! axis. Each part moves in a plane of its own, as a member of a plane structure does.
 
+use crate::number::Scalar;
+
 /// The plane of a member, or of a part of one, given the x axis of the member.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MemberPlane<T> {
@@ -69,5 +71,40 @@ pub(crate) fn across<T: Copy + core::ops::Neg<Output = T>>([x, y, z]: [T; 3], si
     }
 }
 
-/// The inertia of a body about its mass centre: the entries xx, yy, zz, xy, yz and zx of its tensor in the axes of the structure.
-pub(crate) type Tensor<T> = [T; 6];
+/// Sine of the angle between the axis of a member and its `up` up to which that says no direction: rounding of both decides it there.
+pub(crate) const PARALLEL: f64 = 1e-9;
+
+/// `up` of a member that names none, and of one along that.
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const UP_OF_VERTICAL: [f64; 3] = [1.0, 0.0, 0.0];
+
+/// The vector that is made the z axis of a member with an x axis: the one that it names, else z of space. Where a member whose planes are alike
+/// leads along z and names none it is x of space.
+///
+/// # Errors
+/// The sine of the angle between both, where the member leads along the vector.
+pub(crate) fn up_of(along: [f64; 3], named: Option<[f64; 3]>, is_symmetric: bool) -> Result<[f64; 3], f64> {
+    let sine = |up: [f64; 3]| {
+        let ([x, y, z], [u, v, w]) = (unit(along), unit(up));
+        norm([y * w - z * v, z * u - x * w, x * v - y * u])
+    };
+    let up = match named {
+        None if is_symmetric && sine(UP) <= PARALLEL => UP_OF_VERTICAL,
+        named => named.unwrap_or(UP),
+    };
+    let sine = sine(up);
+    if sine <= PARALLEL { Err(sine) } else { Ok(up) }
+}
+
+/// The length of a vector whose parts are at most some 1.
+fn norm(vector: [f64; 3]) -> f64 {
+    Scalar::sqrt(vector.iter().map(|part| part * part).sum::<f64>())
+}
+
+/// The direction of a vector, whose squares may be out of range.
+fn unit(vector: [f64; 3]) -> [f64; 3] {
+    let largest = vector.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let scaled = vector.map(|part| part / largest);
+    let size = norm(scaled);
+    scaled.map(|part| part / size)
+}

@@ -1,5 +1,6 @@
 //! What a model is, with numbers: states, labels, parameters with their errors, estimates of frequencies.
 
+pub(crate) mod asked;
 pub(crate) mod chain_rule;
 pub(crate) mod end_motion;
 pub(crate) mod ends;
@@ -13,7 +14,9 @@ pub(crate) mod motion_error;
 pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
 pub(crate) mod search_error;
+pub(crate) mod space_point;
 pub(crate) mod state;
+pub(crate) mod tensor;
 pub(crate) mod turns;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
@@ -24,7 +27,7 @@ pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use extent::Extent;
 pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
 pub(crate) use load_error::LoadError;
-pub(crate) use member_plane::{MemberPlane, Skew, Tensor, across};
+pub(crate) use member_plane::{MemberPlane, Skew, across, up_of};
 pub(crate) use motion_error::MotionError;
 pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,
@@ -32,4 +35,6 @@ pub(crate) use plane_label::{
 };
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use search_error::{SearchError, Spot};
+pub(crate) use space_point::{InSpace, SpacePoint};
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};
+pub(crate) use tensor::{Tensor, definite, least_moment};

@@ -214,8 +214,7 @@ macro_rules! in_global_axes {
     };
 }
 
-/// The freedoms of points in space beyond those of the plane, by their places among all.
-#[cfg(feature = "std")]
+/// The freedoms of points, by their places among all.
 impl<M> PlanePoint<M> {
     /// A displacement or a rotation.
     pub(crate) const fn displaced(self, place: usize) -> PlaneEntry<M> {
@@ -238,7 +237,6 @@ impl<M> PlanePoint<M> {
     }
 }
 
-#[cfg(feature = "std")]
 impl<M> MemberEnd<M> {
     /// The end as a point.
     pub(crate) const fn as_point(self) -> PlanePoint<M> {
@@ -315,7 +313,6 @@ impl<M> PlaneLoad<M> {
     }
 
     /// The weight of the whole model under an acceleration of 1 m/s² along z, as [`self_weight_x`](PlaneLoad::self_weight_x): in space.
-    #[cfg(feature = "std")]
     pub const fn self_weight_z() -> Self {
         PlaneLoad::weight(3)
     }

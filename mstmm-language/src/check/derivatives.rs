@@ -20,6 +20,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::Scope;
 use std::collections::BTreeMap;
+use syn::ext::IdentExt;
 use syn::{Expr, Ident, Local};
 
 /// The formulas of a model over numbers with derivatives.
@@ -34,9 +35,18 @@ pub(crate) struct Derivatives {
 }
 
 impl Derivatives {
-    /// The parameters of an element that depend on fields.
-    pub(crate) fn of(&self, element: &Element) -> &[(Ident, Expr)] {
-        self.parameters.get(&element.label.to_string()).map_or(&[], Vec::as_slice)
+    /// The parameters of an element that depend on fields; of a part of an element those that it has.
+    pub(crate) fn of(&self, element: &Element) -> Vec<(Ident, &Expr)> {
+        let all = self.parameters.get(&element.label.to_string()).map_or(&[][..], Vec::as_slice);
+        let own = element.parameters().filter_map(|parameter| {
+            let is_it = |name: &Ident| match parameter.called {
+                Some(called) => name.unraw() == called,
+                None => *name == parameter.name,
+            };
+            let (_, value) = all.iter().find(|(name, _)| is_it(name))?;
+            Some((parameter.name.clone(), value))
+        });
+        own.collect()
     }
 
     /// The formula of a number of a model with locations that depends on fields.

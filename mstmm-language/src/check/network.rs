@@ -5,6 +5,7 @@ mod contacts;
 mod dimension;
 mod ends;
 mod findings;
+mod in_space;
 mod parts;
 mod places;
 mod supports;

@@ -39,7 +39,7 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     // what a section that is not there may have is not missed
     if !missing.is_empty() && element.spread.is_empty() {
         let reason = match element.known() {
-            Some(row) if row.stretches && missing.contains(&AXIAL_STIFFNESS) => {
+            Some(row) if row.stretches() && missing.contains(&AXIAL_STIFFNESS) => {
                 if row.name == STRING {
                     BETWEEN_PLACES
                 } else {

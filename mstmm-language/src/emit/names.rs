@@ -80,17 +80,14 @@ impl Names {
         };
         let scalar = located(scalar, span);
         let kind = quote_spanned!(span=> #kind<#scalar>);
-        if !element.stretches() {
-            return kind;
-        }
-        let in_plane = self.in_plane(span);
-        quote_spanned!(span=> #in_plane<#kind>)
+        let Some(wrapper) = self.wrapper(element, span) else { return kind };
+        quote_spanned!(span=> #wrapper<#kind>)
     }
 
-    /// Path of the type of what stretches in the plane.
-    fn in_plane(&self, span: Span) -> TokenStream {
-        let private = private_at(&self.facade, span);
-        quote_spanned!(span=> #private::elements::InPlane)
+    /// Path of the type that moves that of an element across itself.
+    fn wrapper(&self, element: &Element, span: Span) -> Option<TokenStream> {
+        let (private, name) = (private_at(&self.facade, span), Ident::new(element.wrapper()?, span));
+        Some(quote_spanned!(span=> #private::elements::#name))
     }
 
     /// The struct of an element's parameters, all at its keyword, where rustc shows what is missing.
@@ -101,18 +98,16 @@ impl Names {
             let fields: Vec<TokenStream> = fields.collect();
             quote_spanned!(span=> #kind { #(#fields,)* })
         };
-        if !element.stretches() {
-            return literal(&kind, &mut fields.iter());
-        }
+        let Some(wrapper) = self.wrapper(element, span) else { return literal(&kind, &mut fields.iter()) };
         let (along, across): (Vec<_>, Vec<_>) = fields.iter().partition(|(name, _)| name == AXIAL_STIFFNESS);
         let across = (Ident::new("across", span), literal(&kind, &mut across.into_iter()));
-        literal(&self.in_plane(span), &mut along.into_iter().chain([&across]))
+        literal(&wrapper, &mut along.into_iter().chain([&across]))
     }
 
     /// A field of the struct of an element's parameters, or of derivatives with respect to them.
     pub(super) fn field_of(&self, element: &Element, parameter: &Ident) -> TokenStream {
         let field = element.field(parameter);
-        if element.stretches() && field != AXIAL_STIFFNESS {
+        if element.wrapper().is_some() && field != AXIAL_STIFFNESS {
             let across = Ident::new("across", field.span());
             return quote_spanned!(field.span()=> #across.#field);
         }

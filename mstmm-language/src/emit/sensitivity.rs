@@ -107,7 +107,7 @@ fn summand(index: usize, plan: &Plan<'_>, derivatives: &Derivatives, names: &Nam
     let steps = plan.steps_of(index);
     let (field, motion) = (element_field(element, names), names.element_as(element, "Energies"));
     let (parameters, values): (Vec<_>, Vec<_>) =
-        parameters.iter().map(|(name, value)| (names.field_of(element, name), value)).unzip();
+        parameters.iter().map(|(name, value)| (names.field_of(element, name), *value)).unzip();
     let order = (0..values.len()).map(Index::from);
     quote_spanned! {names.here=>
         let values = (#(#values,)*);

@@ -2,13 +2,15 @@
 
 use mstmm_plan::Freedoms;
 
-/// Along a line or in the plane: the number of coordinates of all points, or what the paths of a model without places say.
+/// Along a line, in the plane or in space: the number of coordinates of all points, or what the paths of a model without places say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimension {
     /// One coordinate: beams along a line, which move across it.
     Line,
     /// Two coordinates.
     Plane,
+    /// Three coordinates.
+    Space,
 }
 
 impl Dimension {
@@ -16,6 +18,7 @@ impl Dimension {
         match self {
             Dimension::Line => 1,
             Dimension::Plane => 2,
+            Dimension::Space => 3,
         }
     }
 
@@ -24,6 +27,7 @@ impl Dimension {
         match self {
             Dimension::Line => Freedoms::Y.union(Freedoms::RZ),
             Dimension::Plane => Freedoms::PLANE,
+            Dimension::Space => Freedoms::SPACE,
         }
     }
 
@@ -32,6 +36,15 @@ impl Dimension {
         match self {
             Dimension::Line => "at x",
             Dimension::Plane => "at (x, y)",
+            Dimension::Space => "at (x, y, z)",
+        }
+    }
+
+    /// The parts of a direction, as advice shows them.
+    pub(crate) fn direction(self) -> &'static str {
+        match self {
+            Dimension::Line | Dimension::Plane => "(dx, dy)",
+            Dimension::Space => "(dx, dy, dz)",
         }
     }
 }

@@ -19,11 +19,14 @@ pub(crate) struct Keyword {
     pub(crate) one_of: &'static [&'static str],
     /// What it may be, cheapest first: it is the first type that has all named parameters.
     pub(crate) types: &'static [TypeRow],
-    /// Whether it is such a type across itself and stretches as well: an `InPlane` of that type, which has the axial stiffness.
-    pub(crate) stretches: bool,
+    /// The type that moves such a type across itself: an `InPlane` of it stretches as well and has the axial stiffness.
+    pub(crate) wrapper: Option<&'static str>,
     /// Whether it stands between places alone.
-    needs_places: bool,
+    pub(super) needs_places: bool,
 }
+
+/// The wrapper of what stretches.
+pub(super) const IN_PLANE: Option<&str> = Some("InPlane");
 
 /// The parameter that what stretches has beside those of its type.
 pub(crate) const AXIAL_STIFFNESS: &str = "axial_stiffness";
@@ -48,6 +51,11 @@ pub(crate) fn neutral(parameter: &str) -> f64 {
 }
 
 impl Keyword {
+    /// Whether it stretches beside what its type is.
+    pub(crate) fn stretches(&self) -> bool {
+        self.wrapper == IN_PLANE
+    }
+
     /// The parameters that must be named, and those that may be.
     pub(crate) fn parameters(&self) -> [Vec<&'static str>; 2] {
         [self.required.to_vec(), [self.optional, self.one_of].concat()]
@@ -74,7 +82,7 @@ pub(crate) const DAMPING: &[&str] = &["loss_factor", "kelvin_voigt_time", "exter
 const SPRING: &[&str] = &["damping", "loss_factor", "kelvin_voigt_time"];
 
 /// The optional parameters of a beam, and those of them that are no damping.
-const OF_BEAM: &[&str] = &[
+pub(super) const OF_BEAM: &[&str] = &[
     "shear_stiffness",
     "rotary_inertia",
     "axial_force",
@@ -92,10 +100,10 @@ const FOUNDATION: &[&str] = &["foundation_stiffness", "foundation_shear_stiffnes
 /// A string: a path of one motion, or a member between two places of the plane.
 pub(crate) const STRING: &str = "string";
 
-const OF_STRING: &[&str] = &["foundation_stiffness", "external_damping"];
+pub(super) const OF_STRING: &[&str] = &["foundation_stiffness", "external_damping"];
 
 #[rustfmt::skip]
-const STRINGS: &[TypeRow] = &[
+pub(super) const STRINGS: &[TypeRow] = &[
     row("TautString", &["foundation_stiffness"]),
     row("DampedString", OF_STRING),
 ];
@@ -114,18 +122,18 @@ const TAPERS: &[&str] = &[
     "foundation_stiffness",
 ];
 
-const fn row(name: &'static str, parameters: &'static [&'static str]) -> TypeRow {
+pub(super) const fn row(name: &'static str, parameters: &'static [&'static str]) -> TypeRow {
     TypeRow { name, parameters, renamed: &[] }
 }
 
-const fn keyword(
+pub(super) const fn keyword(
     name: &'static str,
     space: Space,
     required: &'static [&'static str],
     optional: &'static [&'static str],
     types: &'static [TypeRow],
 ) -> Keyword {
-    Keyword { name, space, required, optional, one_of: &[], types, stretches: false, needs_places: false }
+    Keyword { name, space, required, optional, one_of: &[], types, wrapper: None, needs_places: false }
 }
 
 /// The inertia of a body: about its mass centre, or about its input end.
@@ -153,12 +161,12 @@ const BEAMS: &[TypeRow] = &[
 #[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("beam", Space::Bending, BENDING, OF_BEAM, BEAMS),
-    Keyword { stretches: true, ..keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
-    Keyword { stretches: true, needs_places: true, ..keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
+    Keyword { wrapper: IN_PLANE, ..keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
+    Keyword { wrapper: IN_PLANE, needs_places: true, ..keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
     keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
     keyword(STRING, Space::Translation, &["length", "tension", "mass_per_length"], OF_STRING, STRINGS),
     Keyword {
-        stretches: true,
+        wrapper: IN_PLANE,
         needs_places: true,
         ..keyword(STRING, Space::Planar, &["length", AXIAL_STIFFNESS, "tension", "mass_per_length"], OF_STRING, STRINGS)
     },
@@ -219,7 +227,7 @@ const TURNING: &[(&str, &str)] = &[("stiffness_rz", "stiffness_theta"), ("dampin
 
 const OF_HINGE: &[&str] =
     &["stiffness_y", "stiffness_rz", "damping_y", "damping_rz", "loss_factor", "kelvin_voigt_time"];
-const OF_PLANAR_HINGE: &[&str] = &[
+pub(super) const OF_PLANAR_HINGE: &[&str] = &[
     "stiffness_x",
     "stiffness_y",
     "stiffness_rz",
@@ -244,7 +252,7 @@ pub(crate) fn has_somewhere(keyword: &str, parameter: &str) -> bool {
 /// The element behind a keyword: along a line or in the plane, where it differs.
 pub(crate) fn element_of(keyword: &str, dimension: Dimension) -> Option<&'static Keyword> {
     let mut rows = ELEMENTS.iter().filter(|element| element.name == keyword);
-    let is_in_plane = dimension == Dimension::Plane;
+    let is_in_plane = dimension != Dimension::Line;
     let mut fitting = rows.clone().filter(|element| element.space.is(Space::Planar) == is_in_plane);
     fitting.next().or_else(|| rows.next())
 }

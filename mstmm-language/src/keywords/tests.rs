@@ -5,6 +5,8 @@ use mstmm_core::elements::{ELEMENTS as OF_CORE, Row, STRETCHING};
 use mstmm_plan::Space;
 use std::collections::BTreeSet;
 
+const DIMENSIONS: [Dimension; 3] = [Dimension::Line, Dimension::Plane, Dimension::Space];
+
 fn sorted<'a>(names: impl IntoIterator<Item = &'a str>) -> BTreeSet<&'a str> {
     names.into_iter().collect()
 }
@@ -18,10 +20,10 @@ fn each_type_of_a_keyword_is_one_of_the_core_with_its_state_and_parameters() {
             let of_core = OF_CORE.iter().find(|of_core| of_core.name == row.name);
             let of_core = of_core.unwrap_or_else(|| panic!("no `{}` in the core", row.name));
             let fields = keyword.required.iter().chain(row.parameters).map(|name| row.field(name));
-            let along = keyword.stretches.then_some(AXIAL_STIFFNESS);
+            let along = keyword.stretches().then_some(AXIAL_STIFFNESS);
             let expected = of_core.parameters.iter().copied().chain(along);
             assert_eq!(sorted(fields), sorted(expected), "{} {}", keyword.name, row.name);
-            if keyword.stretches {
+            if keyword.stretches() {
                 assert!(STRETCHING.contains(&row.name), "{} {}", keyword.name, row.name);
                 assert_eq!(keyword.space, Space::Planar, "{}", keyword.name);
             } else {
@@ -139,11 +141,10 @@ fn each_keyword_is_known_in_models_with_locations() {
         assert!(located_of(keyword.name).is_some(), "no row for {} in LOCATED", keyword.name);
     }
     for row in LOCATED {
-        let is_right = [Dimension::Line, Dimension::Plane].map(|dimension| row.instead(dimension).is_none());
-        assert_eq!(is_right == [false, false], row.role == Role::Unknown, "{}", row.name);
-        for dimension in [Dimension::Line, Dimension::Plane].into_iter().filter(|of| row.instead(*of).is_none()) {
+        let is_right = DIMENSIONS.map(|dimension| row.instead(dimension).is_none());
+        assert_eq!(is_right == [false; 3], row.role == Role::Unknown, "{}", row.name);
+        for dimension in DIMENSIONS.into_iter().filter(|of| row.instead(*of).is_none()) {
             let [required, _] = row.parameters(dimension);
-            assert!(row.vector.is_none_or(|name| required.contains(&name)), "{}", row.name);
             assert!(!(row.spans_places() && required.contains(&"length")), "{}", row.name);
             let instead = row.instead(dimension).map(located_of);
             assert!(instead.is_none_or(|instead| instead.is_some()), "{}", row.name);
@@ -156,7 +157,7 @@ fn the_grammar_has_a_row_for_each_element_of_models_with_locations() {
     let grammar = include_str!("../../../docs/grammar.md");
     let (_, section) = grammar.split_once("### Elements of located models").unwrap();
     for row in LOCATED.iter().filter(|row| !matches!(row.role, Role::Unknown | Role::Path)) {
-        for dimension in [Dimension::Line, Dimension::Plane].into_iter().filter(|of| row.instead(*of).is_none()) {
+        for dimension in DIMENSIONS.into_iter().filter(|of| row.instead(*of).is_none()) {
             let parameters = row.parameters(dimension).concat();
             let start = format!("| `{}` |", row.name);
             let has_all = |line: &&str| {

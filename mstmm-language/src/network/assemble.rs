@@ -8,11 +8,10 @@ use super::hand_over::{
 };
 use super::paths::{Contact, Path, PathMotion, Paths};
 use super::points::Points;
-use crate::ast::{self, Connection, Element, tuple_parts};
-use crate::keywords::{Dimension, Role, freedom_of, support_of};
+use crate::ast::{self, Connection, Element};
+use crate::keywords::{DISPLACEMENTS, Dimension, ROTATIONS, Role, freedom_of, support_of};
 use mstmm_plan::Freedoms;
-use mstmm_plan::Support::{Fixed, Guided, Roller};
-use syn::Expr;
+use mstmm_plan::Support::{Fixed, Guided, Pinned, Roller};
 use syn::ext::IdentExt;
 
 impl<'a> Network<'a> {
@@ -35,7 +34,10 @@ impl<'a> Network<'a> {
             members: assembly.between(Role::Member).map(|(element, ends)| Member { element, ends }).collect(),
             joints: assembly
                 .between(Role::Joint)
-                .map(|(element, ends)| Joint { element, ends, along: vector(element) })
+                .map(|(element, ends)| {
+                    let axis = ["along", "axis"].map(|name| element.tuple(name)).concat();
+                    Joint { element, ends, axis }
+                })
                 .collect(),
             bodies: assembly.bodies(),
             masses: assembly.masses(),
@@ -89,7 +91,7 @@ impl<'a> Assembly<'_, 'a> {
                 Named::Support(support) if self.points.is_located(point) => Some(Support {
                     support,
                     point: self.index(point),
-                    holds: holds(support, self.freedoms[point].possible()),
+                    holds: holds(support, self.dimension, self.freedoms[point].possible()),
                 }),
                 _ => None,
             }
@@ -112,7 +114,7 @@ impl<'a> Assembly<'_, 'a> {
                     points.push(point);
                 }
             }
-            RigidBody { element, centre: vector(element), points }
+            RigidBody { element, centre: element.tuple("centre"), points }
         };
         self.graph.elements(Role::RigidBody).map(body).collect()
     }
@@ -164,7 +166,7 @@ impl<'a> Assembly<'_, 'a> {
 
     fn contact(&self, path: &Path<'_>, contact: &Contact, nodes: &[usize]) -> PathContact<'a> {
         let direction = match self.graph.edges[contact.edge].along() {
-            _ if matches!(path.motion, PathMotion::Rotation) => Direction::Z,
+            _ if matches!(path.motion, PathMotion::Rotation) && self.dimension != Dimension::Space => Direction::Z,
             _ if self.dimension == Dimension::Line => Direction::Y,
             Some(along) => Direction::Along(along),
             // a path that moves has two contacts, at two places
@@ -180,31 +182,24 @@ impl<'a> Assembly<'_, 'a> {
 }
 
 /// What a support holds of the freedoms that its point has, or may have.
-fn holds(support: &ast::Support, freedoms: Freedoms) -> Holds<'_> {
+fn holds(support: &ast::Support, dimension: Dimension, freedoms: Freedoms) -> Holds<'_> {
     if let Some(held) = &support.held {
         let held = held.iter().filter_map(|name| freedom_of(&name.unraw().to_string()));
         return Holds::Freedoms(held.fold(Freedoms::NONE, Freedoms::union).intersection(freedoms));
     }
     let keyword = support_of(&support.keyword.to_string());
     match (keyword, &support.direction) {
-        (Some(Roller), Some(direction)) => Holds::Across(direction, Freedoms::NONE),
-        (Some(Guided), Some(direction)) => Holds::Across(direction, Freedoms::RZ.intersection(freedoms)),
+        (Some(Roller), Some(direction)) => Holds::Skew(direction, Freedoms::NONE),
+        (Some(Guided), Some(direction)) => Holds::Skew(direction, ROTATIONS.intersection(freedoms)),
         (keyword, _) => {
-            let held = keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds);
+            let held = match keyword {
+                Some(Fixed) => Freedoms::SPACE,
+                Some(Pinned) if dimension == Dimension::Space => DISPLACEMENTS,
+                keyword => keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds),
+            };
             Holds::Freedoms(held.intersection(freedoms))
         }
     }
-}
-
-/// The parts of the parameter that is a place or a direction; empty for an element without one.
-fn vector(element: &Element) -> Vec<Expr> {
-    let name = element.located().and_then(|row| row.vector);
-    let mut named = element.parameters().filter(|parameter| name.is_some_and(|name| parameter.name.unraw() == name));
-    let value = named.next().map(|parameter| parameter.expression());
-    value.map_or_else(Vec::new, |value| match tuple_parts(&value) {
-        Some(parts) => parts.into_iter().cloned().collect(),
-        None => vec![value],
-    })
 }
 
 /// The index of a thing in a list, which has it.

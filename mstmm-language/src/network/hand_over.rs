@@ -54,8 +54,8 @@ pub(crate) struct Support<'a> {
 pub(crate) enum Holds<'a> {
     /// Freedoms of the axes.
     Freedoms(Freedoms),
-    /// The displacement across a direction, along which the point moves, and these other freedoms.
-    Across(&'a Coordinates, Freedoms),
+    /// A displacement by the word of the direction, `along` which the point moves or `normal` to which it does, and these other freedoms.
+    Skew(&'a Coordinates, Freedoms),
 }
 
 /// An element with extent.
@@ -70,8 +70,8 @@ pub(crate) struct Joint<'a> {
     pub(crate) element: &'a Element,
     /// The points at its input and at its output.
     pub(crate) ends: [usize; 2],
-    /// The direction along which a slider moves; empty for other joints.
-    pub(crate) along: Vec<Expr>,
+    /// The direction of its x axis; empty where it has the axes of the structure.
+    pub(crate) axis: Vec<Expr>,
 }
 
 /// A mass with extent, which ties points rigidly.

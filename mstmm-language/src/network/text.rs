@@ -3,7 +3,7 @@
 use super::hand_over::{Direction, Holds, Network, PathContact, TransferPath};
 use super::paths::PathMotion;
 use crate::ast::Connection;
-use crate::keywords::FREEDOMS;
+use crate::keywords::{ALONG, FREEDOMS};
 use mstmm_plan::Freedoms;
 use quote::ToTokens;
 use std::fmt::{Display, Formatter, Result};
@@ -27,7 +27,7 @@ impl Display for Network<'_> {
             writeln!(f, "{}: from point {from} to point {to}", member.element)?;
         }
         for joint in &self.joints {
-            let ([from, to], along) = (joint.ends, listed(&joint.along));
+            let ([from, to], along) = (joint.ends, listed(&joint.axis));
             writeln!(f, "{}: from point {from} to point {to} {along}", joint.element)?;
         }
         for body in &self.bodies {
@@ -65,7 +65,7 @@ impl Display for TransferPath<'_> {
 impl Display for Direction<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            Direction::Along(along) => write!(f, "along {}", listed(&along.parts)),
+            Direction::Along(along) => write!(f, "{} {}", along.keyword, listed(&along.parts)),
             Direction::FromTo([from, to]) => write!(f, "from point {from} to point {to}"),
             Direction::Y => f.write_str("along y"),
             Direction::Z => f.write_str("about z"),
@@ -77,8 +77,9 @@ impl Display for Holds<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Holds::Freedoms(freedoms) => f.write_str(&names_of(*freedoms)),
-            Holds::Across(direction, freedoms) => {
-                write!(f, "across {}, and {}", listed(&direction.parts), names_of(*freedoms))
+            Holds::Skew(direction, freedoms) => {
+                let how = if direction.keyword == ALONG { "across" } else { "along" };
+                write!(f, "{how} {}, and {}", listed(&direction.parts), names_of(*freedoms))
             }
         }
     }

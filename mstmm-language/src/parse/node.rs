@@ -1,11 +1,11 @@
 //! Parses the nodes between arrows: supports, connections, elements.
 
 use super::error_at;
-use super::suffix::{ALONG_STANDS, Suffixes, held, is_suffix, is_word};
+use super::suffix::{BEHIND_NODES, Suffixes, held, is_one_of, is_suffix, stands_elsewhere};
 use crate::ast::{Connection, Element, Kind, Label, Node, Parameter, Support};
 use crate::depth::is_keyword;
 use crate::diagnostics::Place;
-use crate::keywords::{ALONG, AT, CONNECTION, Dimension, HELD, apart, support_of};
+use crate::keywords::{AT, CONNECTION, Dimension, HELD, apart, support_of};
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Result};
 use syn::{Error, Ident, Lit, LitInt, Path, Token, braced, token};
@@ -37,8 +37,8 @@ impl Parse for Node {
             let location = Suffixes::parse(input, &owner)?.location_alone(&owner)?;
             return Ok(Node::Connection(Connection { keyword, label, location }));
         }
-        if keyword == ALONG {
-            return Err(Error::new(keyword.span(), ALONG_STANDS));
+        if let Some(message) = stands_elsewhere(&keyword) {
+            return Err(Error::new(keyword.span(), message));
         }
         if keyword == AT {
             let message = "`at` stands behind a connection or a support, whose place it says: remove the arrow between";
@@ -60,7 +60,7 @@ impl Parse for Node {
 fn ends_here(keyword: &Ident, input: ParseStream<'_>) -> bool {
     if support_of(&keyword.to_string()).is_some() {
         let takes_label = input.peek(LitInt) || (input.peek(Ident) && input.peek2(token::Brace));
-        return !takes_label || is_word(input, AT) || is_word(input, ALONG);
+        return !takes_label || is_one_of(input, BEHIND_NODES);
     }
     is_suffix(input) || input.is_empty() || input.peek(Token![->]) || input.peek(Token![<-]) || input.peek(Token![;])
 }
@@ -78,7 +78,8 @@ fn parse_element(kind: Kind, input: ParseStream<'_>) -> Result<Node> {
     let owner = format!("{} {label}", kind.name());
     let location = if is_suffix(input) { Suffixes::parse(input, &owner)?.location_alone("conn a")? } else { None };
     let dimension = Dimension::Line;
-    Ok(Node::Element(Box::new(Element { kind, label, parameters, spread, dimension, location })))
+    let (part_row, parts) = (None, [None, None, None]);
+    Ok(Node::Element(Box::new(Element { kind, label, parameters, spread, dimension, location, part_row, parts })))
 }
 
 /// `{ name: value, name, ..section }`: parameters and sections.
@@ -129,7 +130,7 @@ impl Parse for Parameter {
             return Err(error_at(input, message));
         };
         if input.is_empty() || input.peek(Token![,]) {
-            return Ok(Parameter { name, value: None, section: None, is_told: false });
+            return Ok(Parameter { name, value: None, section: None, is_told: false, called: None });
         }
         if input.peek(Token![;]) || input.peek2(Token![:]) || input.peek2(Token![,]) {
             return Err(error_at(input, "expected `,` between parameters"));
@@ -138,6 +139,6 @@ impl Parse for Parameter {
             return Err(error_at(input, format!("expected `:`: a parameter is written `{name}: value`")));
         }
         input.parse::<Token![:]>()?;
-        Ok(Parameter { name, value: Some(input.parse()?), section: None, is_told: false })
+        Ok(Parameter { name, value: Some(input.parse()?), section: None, is_told: false, called: None })
     }
 }

@@ -1,9 +1,9 @@
 //! The skeleton of a checked network.
 
 use super::names::{Naming, join_name};
-use super::{Axis, Body, End, Member, Node, Point, Seat, Skeleton, Support, Vector, What};
-use crate::ast::{Coordinates, Element};
-use crate::keywords::{LocatedKeyword, located_of};
+use super::{Axis, Body, Direction, End, Member, Node, Place, Plane, Point, Seat, Skeleton, Skew, Support, Up, What};
+use crate::ast::Element;
+use crate::keywords::{ALONG, Dimension, LocatedKeyword, NORMAL, ties};
 use crate::network::{self, Classes, FreedomSet, Holds, Joint, Network};
 use mstmm_plan::Freedoms;
 use syn::Expr;
@@ -23,15 +23,33 @@ impl<'a> Skeleton<'a> {
             let place = network.points[mass.point].place;
             assembly.body(mass.element, mass.point, &network.places[place].parts);
         }
-        for member in &network.members {
-            let ends = member.ends.map(|point| End { seat: Seat::Point(point), axis: Axis::Member });
-            let acts_in = member.element.located().map_or(Freedoms::PLANE, LocatedKeyword::acts_in);
-            let freedoms = FreedomSet::known(acts_in.intersection(network.dimension.freedoms()));
-            assembly.element(member.element, freedoms, ends);
-        }
+        network.members.iter().for_each(|member| assembly.member(member));
         network.joints.iter().for_each(|joint| assembly.joint(joint));
         network.paths.iter().for_each(|path| assembly.path(path));
         assembly.skeleton
+    }
+}
+
+/// What the freedoms of a part of a member are in the member: along and across the part, and about its normal.
+const OF_PARTS: [[Freedoms; 3]; 3] = [
+    [Freedoms::X, Freedoms::Y, Freedoms::RZ],
+    [Freedoms::NONE, Freedoms::Z, Freedoms::RY],
+    [Freedoms::NONE, Freedoms::NONE, Freedoms::RX],
+];
+
+/// The freedoms that a part has of those of its member.
+fn freedoms_in(part: usize, of_member: Freedoms) -> Freedoms {
+    let own = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
+    let there = own.filter(|(_, of)| !of.is_empty() && of_member.contains(*of));
+    there.map(|(single, _)| single).fold(Freedoms::NONE, Freedoms::union)
+}
+
+/// The plane of a part.
+fn plane_of(part: usize, up: Up) -> Plane {
+    match part {
+        0 => Plane::First(up),
+        1 => Plane::Second(up),
+        _ => Plane::OneMotion,
     }
 }
 
@@ -51,10 +69,19 @@ impl<'a> Assembly<'a> {
         for body in &network.bodies {
             body.points.iter().for_each(|&point| classes.join(body.points[0], point));
         }
-        let place =
-            |(index, place): (usize, &&'a Coordinates)| Vector { name: naming.place(index), parts: &place.parts };
-        let mut skeleton =
-            Skeleton { places: network.places.iter().enumerate().map(place).collect(), ..Skeleton::default() };
+        let places = network.places.iter().enumerate();
+        let places = places.map(|(index, place)| Place { name: naming.place(index), parts: place.parts.clone() });
+        let mut skeleton = Skeleton {
+            dimension: network.dimension,
+            places: places.collect(),
+            directions: Vec::new(),
+            bodies: Vec::new(),
+            nodes: Vec::new(),
+            members: Vec::new(),
+            points: Vec::new(),
+            supports: Vec::new(),
+        };
+        let all = all_of(network.dimension);
         for (index, point) in network.points.iter().enumerate() {
             let (place, freedoms) = (point.place, &point.freedoms);
             let first = classes.of(index);
@@ -63,7 +90,8 @@ impl<'a> Assembly<'a> {
             skeleton.points.push(Point { name, connections, node, place, freedoms: freedoms.clone() });
             if first == index {
                 let (name, freedoms) = (naming.node(index), freedoms.clone());
-                skeleton.nodes.push(Node { name, place: Some(place), freedoms, held: Freedoms::NONE, along: None });
+                let (place, held, skew) = (Some(place), Freedoms::NONE, None);
+                skeleton.nodes.push(Node { name, place, freedoms, held, skew, all });
             }
         }
         let is_supported = vec![false; skeleton.nodes.len()];
@@ -78,64 +106,162 @@ impl<'a> Assembly<'a> {
         let Point { node, place, ref freedoms, .. } = self.skeleton.points[support.point];
         let all = freedoms.clone();
         let name = join_name(&support.support.keyword.to_string(), &self.skeleton.points[support.point].name);
-        let (held, direction) = match support.holds {
+        let (held, skew) = match support.holds {
             Holds::Freedoms(freedoms) => (freedoms, None),
-            Holds::Across(direction, freedoms) => (freedoms, Some(self.direction(name.clone(), &direction.parts))),
+            Holds::Skew(direction, freedoms) => {
+                let word = direction.keyword.to_string();
+                let is_normal = word == NORMAL;
+                let direction = self.direction(name.clone(), &word, &direction.parts);
+                (freedoms, Some(Skew { direction, is_normal }))
+            }
         };
         let is_second = self.is_supported[node];
         let holds = if is_second { self.skeleton.nodes.len() } else { node };
         let point = support.point;
-        self.skeleton.supports.push(Support { name: name.clone(), point, node: holds, held, along: direction });
+        self.skeleton.supports.push(Support { name: name.clone(), point, node: holds, held, skew });
         if !is_second {
             self.is_supported[node] = true;
             let node = &mut self.skeleton.nodes[node];
-            (node.place, node.along, node.held) = (Some(place), direction, held);
+            (node.place, node.skew, node.held) = (Some(place), skew, held);
             return;
         }
         self.skeleton.nodes.push(Node {
             name: name.clone(),
             place: Some(place),
             freedoms: all,
-            held: Freedoms::PLANE,
-            along: None,
+            held: self.all(),
+            skew: None,
+            all: self.all(),
         });
-        let axis = direction.map_or(Axis::X, Axis::Along);
-        let freedoms = FreedomSet::known(if direction.is_some() { held.union(Freedoms::Y) } else { held });
+        let axis = skew.map_or(Axis::X, |skew| Axis::Along(skew.direction));
+        let tied = match skew {
+            None => held,
+            Some(Skew { is_normal: true, .. }) => held.union(Freedoms::X),
+            Some(_) => held.union(Freedoms::Y.union(Freedoms::Z).intersection(self.all())),
+        };
         let ends = [Seat::Node(holds), Seat::Point(point)].map(|seat| End { seat, axis });
-        self.skeleton.members.push(Member { what: What::Rigid, name, kind: None, freedoms, ends });
+        self.tie(&name, None, tied, Up::Any, ends, |_| None);
     }
 
-    fn body(&mut self, element: &'a Element, point: usize, centre: &'a [Expr]) {
-        self.skeleton.bodies.push(Body { element, node: self.skeleton.points[point].node, centre });
+    /// The freedoms that nodes may have.
+    pub(super) fn all(&self) -> Freedoms {
+        all_of(self.network.dimension)
+    }
+
+    fn body(&mut self, element: &'a Element, point: usize, centre: &[Expr]) {
+        let (node, centre) = (self.skeleton.points[point].node, centre.to_vec());
+        self.skeleton.bodies.push(Body { element, node, centre });
+    }
+
+    /// An element with extent, by its parts.
+    fn member(&mut self, member: &network::Member<'a>) {
+        let ends = member.ends.map(|point| End { seat: Seat::Point(point), axis: Axis::Member });
+        let (element, dimension) = (member.element, self.network.dimension);
+        if dimension != Dimension::Space {
+            let acts_in = element.located().map_or(Freedoms::PLANE, LocatedKeyword::acts_in);
+            let freedoms = FreedomSet::known(acts_in.intersection(dimension.freedoms()));
+            return self.element(element, freedoms, Plane::Structure, ends);
+        }
+        let up = self.up(element);
+        for (part, own) in element.parts.iter().enumerate().filter_map(|(part, own)| Some((part, own.as_deref()?))) {
+            self.element(own, FreedomSet::known(freedoms_of(own)), plane_of(part, up), ends);
+            self.skeleton.members.last_mut().into_iter().for_each(|member| member.is_further = part > 0);
+        }
+    }
+
+    /// The `up` of a member in space.
+    fn up(&mut self, element: &'a Element) -> Up {
+        match element.tuple("up").as_slice() {
+            [] if element.is_symmetric() => Up::Any,
+            [] => Up::Z,
+            parts => Up::Named(self.direction(element.to_string(), "up", parts)),
+        }
     }
 
     fn joint(&mut self, joint: &'a Joint<'a>) {
-        let name = joint.element.to_string();
-        let axis = match joint.along.as_slice() {
+        let (name, element, is_in_space) =
+            (joint.element.to_string(), joint.element, self.network.dimension == Dimension::Space);
+        let axis = match joint.axis.as_slice() {
             [] => Axis::X,
-            along => Axis::Along(self.direction(name.clone(), along)),
+            axis => {
+                let word = if is_in_space { "axis" } else { ALONG };
+                Axis::Along(self.direction(name.clone(), word, axis))
+            }
         };
         let ends = joint.ends.map(|point| End { seat: Seat::Point(point), axis });
-        let keyword = joint.element.kind.name().to_string();
-        // a slider moves along its x
-        let ties = match keyword.as_str() {
-            "slider" => Freedoms::Y.union(Freedoms::RZ),
-            _ => located_of(&keyword).map_or(Freedoms::NONE, |row| row.brings),
-        };
-        let freedoms = FreedomSet::known(ties.intersection(self.network.dimension.freedoms()));
+        let tied = ties(&element.kind.name().to_string()).intersection(self.network.dimension.freedoms());
+        let kind = Some(element.type_name());
         // a hinge has its stiffnesses, other joints are rigid
-        let what = if joint.element.known().is_some() { What::Hinge(joint.element) } else { What::Rigid };
-        self.skeleton.members.push(Member { what, name, kind: Some(joint.element.type_name()), freedoms, ends });
+        let is_hinge = element.known().is_some();
+        if !is_in_space {
+            let elastic = is_hinge.then_some(element);
+            return self.tie(&name, kind, tied, Up::Any, ends, |_| elastic);
+        }
+        let up = if is_hinge { self.up(element) } else { Up::Any };
+        self.tie(&name, kind, tied, up, ends, |part| element.parts[part].as_deref().filter(|own| gives_way(own)));
     }
 
-    pub(super) fn element(&mut self, element: &'a Element, freedoms: FreedomSet<'a>, ends: [End; 2]) {
-        let (name, kind) = (element.to_string(), Some(element.type_name()));
-        self.skeleton.members.push(Member { what: What::Element(element), name, kind, freedoms, ends });
+    /// A joint between two ends by its parts, of which some are elastic.
+    pub(super) fn tie(
+        &mut self,
+        name: &str,
+        kind: Option<String>,
+        tied: Freedoms,
+        up: Up,
+        ends: [End; 2],
+        elastic: impl Fn(usize) -> Option<&'a Element>,
+    ) {
+        let is_in_space = self.network.dimension == Dimension::Space;
+        let mut is_further = false;
+        for part in 0..if is_in_space { OF_PARTS.len() } else { 1 } {
+            let freedoms = freedoms_in(part, tied);
+            if freedoms.is_empty() {
+                continue;
+            }
+            let what = elastic(part).map_or(What::Rigid, What::Hinge);
+            let plane = if is_in_space { plane_of(part, up) } else { Plane::Structure };
+            let (name, kind, freedoms) = (name.to_owned(), kind.clone(), FreedomSet::known(freedoms));
+            self.skeleton.members.push(Member { what, name, kind, freedoms, plane, is_further, ends });
+            is_further = true;
+        }
+    }
+
+    pub(super) fn element(&mut self, element: &'a Element, freedoms: FreedomSet<'a>, plane: Plane, ends: [End; 2]) {
+        let (what, name, kind) = (What::Element(element), element.to_string(), Some(element.type_name()));
+        self.skeleton.members.push(Member { what, name, kind, freedoms, plane, is_further: false, ends });
     }
 
     /// A direction, by its index.
-    pub(super) fn direction(&mut self, name: String, parts: &'a [Expr]) -> usize {
-        self.skeleton.directions.push(Vector { name, parts });
+    pub(super) fn direction(&mut self, name: String, word: &str, parts: &[Expr]) -> usize {
+        self.skeleton.directions.push(Direction { name, word: word.to_owned(), parts: parts.to_vec() });
         self.skeleton.directions.len() - 1
     }
+}
+
+/// The freedoms that nodes of a dimension may have.
+fn all_of(dimension: Dimension) -> Freedoms {
+    if dimension == Dimension::Space { Freedoms::SPACE } else { Freedoms::PLANE }
+}
+
+/// The freedoms of a part of a member, in its own axes.
+fn freedoms_of(part: &Element) -> Freedoms {
+    let (along, across, turn) = (Freedoms::X, Freedoms::Y, Freedoms::RZ);
+    let Some(row) = part.known() else { return Freedoms::NONE };
+    let turns = row.required.contains(&"bending_stiffness");
+    match (row.stretches(), row.space.is(mstmm_plan::Space::Rotation)) {
+        (_, true) => turn,
+        (true, _) if turns => along.union(across).union(turn),
+        (true, _) => along.union(across),
+        _ if turns => across.union(turn),
+        _ => across,
+    }
+}
+
+/// Whether a part of a hinge has a stiffness or a damping.
+fn gives_way(part: &Element) -> bool {
+    let is_flexible = |name: &syn::Ident| {
+        let name = name.to_string();
+        name.starts_with("stiffness_") || name.starts_with("damping_")
+    };
+    part.parameters().any(|parameter| is_flexible(&parameter.name))
 }

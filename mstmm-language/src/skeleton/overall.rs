@@ -1,6 +1,7 @@
 //! The overall transfer equation of a skeleton: its root, the members that are cut, and the number of unknowns.
 
 use super::Skeleton;
+use crate::keywords::Dimension;
 use mstmm_plan::{PathMember, PathNode, is_cut, lead_paths, unknowns};
 
 /// What the documentation of a built system says of the overall transfer equation.
@@ -14,14 +15,17 @@ pub(crate) struct Overall<'s> {
 }
 
 impl Skeleton<'_> {
-    /// The overall transfer equation; none where rustc alone knows the freedoms of a member. The skeleton hangs together.
+    /// The overall transfer equation; none in space, and where rustc alone knows the freedoms of a member. The skeleton hangs together.
     pub(crate) fn overall(&self) -> Option<Overall<'_>> {
+        if self.dimension == Dimension::Space {
+            return None;
+        }
         let node = |(index, node): (usize, &super::Node<'_>)| {
             let [freedoms, held] = node.known()?;
             // what ends do not share with it is there, and held where it has it not
             let here = self.members.iter().filter(|member| self.nodes_of(member).contains(&index));
             let freedoms = here.fold(freedoms, |sum, member| sum.union(member.released()));
-            Some(PathNode::new(freedoms, held, node.along.is_some()))
+            Some(PathNode::new(freedoms, held, node.skew.is_some()))
         };
         let mut nodes = self.nodes.iter().enumerate().map(node).collect::<Option<Vec<PathNode>>>()?;
         let member = |member: &super::Member<'_>| {

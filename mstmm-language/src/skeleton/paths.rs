@@ -1,7 +1,8 @@
 //! Paths of one motion in a skeleton.
 
 use super::assemble::Assembly;
-use super::{Axis, Body, End, Member, Node, Seat, What};
+use super::{Axis, Body, End, Member, Node, Plane, Seat, What};
+use crate::keywords::Dimension;
 use crate::network::{Classes, Direction, FreedomSet, PathContact, PathElement, TransferPath};
 use mstmm_plan::Freedoms;
 
@@ -42,7 +43,7 @@ impl<'a> Assembly<'a> {
         for element in elements {
             let both = element.ends.map(|node| ends[classes.of(node)]);
             let [Some(from), Some(to)] = both else { continue };
-            self.element(element.element, FreedomSet::along(path.motion), along_itself([from, to]));
+            self.element(element.element, FreedomSet::along(path.motion), self.plane(), along_itself([from, to]));
         }
     }
 
@@ -56,19 +57,26 @@ impl<'a> Assembly<'a> {
             let element = path.elements.iter().find(ends_here).map(|element| element.element.to_string());
             format!("the end of {}", element.unwrap_or_default())
         });
-        let held = if motion.is_held { Freedoms::PLANE } else { Freedoms::NONE };
+        let all = self.all();
+        let held = if motion.is_held { all } else { Freedoms::NONE };
         let freedoms = FreedomSet::along(path.motion);
-        self.skeleton.nodes.push(Node { name, place: None, freedoms: freedoms.clone(), held, along: None });
-        let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: &[] };
+        self.skeleton.nodes.push(Node { name, place: None, freedoms: freedoms.clone(), held, skew: None, all });
+        let body = |mass: &&'a PathElement<'a>| Body { element: mass.element, node, centre: Vec::new() };
         self.skeleton.bodies.extend(motion.masses.iter().map(body));
         let end = End { seat: Seat::Node(node), axis: Axis::X };
         for contact in &motion.contacts {
             let ends = [end, self.contact(path, contact)];
             let name = self.skeleton.nodes[node].name.clone();
-            let (kind, freedoms) = (Some("tie".to_owned()), freedoms.clone());
-            self.skeleton.members.push(Member { what: What::Rigid, name, kind, freedoms, ends });
+            let (kind, freedoms, plane) = (Some("tie".to_owned()), freedoms.clone(), self.plane());
+            let what = What::Rigid;
+            self.skeleton.members.push(Member { what, name, kind, freedoms, plane, is_further: false, ends });
         }
         end
+    }
+
+    /// The plane of what has one motion.
+    fn plane(&self) -> Plane {
+        if self.skeleton.dimension == Dimension::Space { Plane::OneMotion } else { Plane::Structure }
     }
 
     /// The end of an element, or of a joint, at a point on which the path acts.
@@ -81,7 +89,7 @@ impl<'a> Assembly<'a> {
                 let at = |element: &&PathElement<'_>| element.ends.contains(&contact.node);
                 let element = path.elements.iter().find(at).or(path.elements.first());
                 let name = element.map(|element| element.element.to_string()).unwrap_or_default();
-                Axis::Along(self.direction(name, &along.parts))
+                Axis::Along(self.direction(name, &along.keyword.to_string(), &along.parts))
             }
         };
         End { seat: Seat::Point(contact.point), axis }

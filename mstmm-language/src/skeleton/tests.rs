@@ -10,7 +10,7 @@ fn check(model: &str, text: Expect) {
     let tokens = |text: &str| text.parse::<proc_macro2::TokenStream>().unwrap();
     let mut errors = Errors::default();
     let mut model = read(tokens("(mstmm)").into_iter().chain(tokens(model)).collect(), &mut errors).unwrap();
-    let (dimension, errors) = located(&mut model, errors).unwrap();
+    let dimension = located(&mut model, &mut errors);
     text.assert_eq(&Skeleton::of(&network(&model, dimension, errors).unwrap()).to_string());
 }
 

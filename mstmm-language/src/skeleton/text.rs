@@ -1,17 +1,16 @@
 //! The skeleton as text: its size, its loops and its nodes in order. The documentation of the built system shows it.
 
 use super::Skeleton;
+use crate::keywords::{FREEDOMS, ROTATIONS};
 use mstmm_plan::{Freedoms, NetworkOrder};
 use std::fmt::{Display, Formatter, Result};
-
-/// The freedoms and their names.
-const FREEDOMS: [(Freedoms, &str); 3] = [(Freedoms::X, "x"), (Freedoms::Y, "y"), (Freedoms::RZ, "rz")];
 
 impl Display for Skeleton<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let (nodes, members) = (self.nodes.len(), self.members.len());
         write!(f, "# Size\n\n```text\nnodes {nodes}, members {members}")?;
         match (self.width().ok().flatten(), self.overall()) {
+            (Some(width), None) => writeln!(f, ", unknowns at once {width}")?,
             (Some(width), Some(overall)) => {
                 writeln!(f, ", unknowns at once {width}")?;
                 match overall.cuts.as_slice() {
@@ -63,12 +62,11 @@ impl Skeleton<'_> {
     fn moves(&self, node: usize) -> String {
         let node = &self.nodes[node];
         let Some([_, held]) = node.known() else { return "?".to_owned() };
-        let free = |freedom: Freedoms| !held.contains(freedom);
-        let mut names: Vec<&str> =
-            FREEDOMS.iter().filter(|(freedom, _)| free(*freedom)).map(|(_, name)| *name).collect();
-        if node.along.is_some() {
-            names = if free(Freedoms::RZ) { vec!["along", "rz"] } else { vec!["along"] };
-        }
+        let free = node.all.without(held);
+        let of_axes = if node.skew.is_some() { free.intersection(ROTATIONS) } else { free };
+        let skewed = node.skew.map(|skew| if skew.is_normal { "across" } else { "along" });
+        let own = FREEDOMS.iter().filter(|(_, freedom)| of_axes.contains(*freedom)).map(|(name, _)| *name);
+        let names: Vec<&str> = skewed.into_iter().chain(own).collect();
         if names.is_empty() { "held".to_owned() } else { names.join(" ") }
     }
 }

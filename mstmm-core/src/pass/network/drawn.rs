@@ -131,7 +131,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let numbers = self.numbers(list);
         self.points.iter().enumerate().map(move |(index, point)| DrawnPoint {
             name: Spot::Named(point.name),
-            position: numbers.place(point.place),
+            position: flat(numbers.place(point.place)),
             node: point.node,
             freedoms: point.freedoms,
             label: self.label(index),
@@ -157,8 +157,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     pub fn drawn_bodies<T: Parameter>(&self, list: &[f64]) -> impl Iterator<Item = DrawnBody<T>> {
         let numbers = self.numbers(list);
         self.bodies.iter().enumerate().map(move |(index, body)| {
-            let [mass, inertia, x, y] = numbers.body(index);
-            let centre = self.nodes[body.node].place.map(|_| [x, y]);
+            let (mass, [.., inertia, _, _, _]) = (numbers.mass(index), numbers.inertia(index));
+            let centre = self.nodes[body.node].place.map(|_| flat(numbers.centre(index)));
             DrawnBody { name: Spot::Named(body.name), mass, inertia, centre, node: body.node }
         })
     }
@@ -169,9 +169,9 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         self.supports.iter().map(move |support| DrawnSupport {
             name: Spot::Named(support.name),
             point: support.point,
-            position: numbers.place(self.points[support.point].place),
+            position: flat(numbers.place(self.points[support.point].place)),
             held: support.held,
-            along: support.along.map(|direction| numbers.direction(direction)),
+            along: support.skew.map(|skew| flat(numbers.direction(skew.direction()))),
         })
     }
 }

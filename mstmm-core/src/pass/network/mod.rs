@@ -45,6 +45,7 @@ pub use memory::{Arrays, Memory};
 pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_on_node};
 pub use motions::Motions;
 pub use node::Node;
+pub(crate) use numbers::NumberPlaces;
 #[cfg(feature = "std")]
 pub(crate) use node::flat;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
@@ -60,8 +61,8 @@ pub(crate) use placement::SpatialEnd;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
-    Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedEnd, SketchedMember, SketchedNode, SketchedPoint,
-    SketchedSupport,
+    Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode,
+    SketchedPlane, SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp,
 };
 pub use stiffness::StiffnessModel;
 #[cfg(feature = "std")]

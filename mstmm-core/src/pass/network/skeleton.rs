@@ -1,19 +1,18 @@
 //! The nodes of a sketched network and the placements of its members, with numbers.
 
 use crate::element::{Element, MemberNumbers, build};
-use crate::model::{FrequencyEstimates, MemberPlane, ParameterError};
+use crate::model::{FrequencyEstimates, InvalidParameter, MemberPlane, ParameterError, Requirement, Skew, up_of};
 use crate::number::Real;
-use crate::pass::network::member::End;
 use crate::pass::network::memory::Arrays;
 use crate::pass::network::motions::Motions;
-use crate::pass::network::node::{Node, in_space};
 use crate::pass::network::numbers::Numbers;
 use crate::pass::network::placed_node::PlacedNode;
-use crate::pass::network::placement::Placement;
-use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember};
+use crate::pass::network::placement::{Placement, SpatialEnd};
+use crate::pass::network::sketch::{Axis, NetworkSketch, SketchedMember, SketchedPlane, SketchedSkew, SketchedUp};
 use crate::pass::network::stiffness::{StiffnessModel, StiffnessRoom};
 use crate::pass::network::ties::tie;
-use mstmm_plan::NetworkOrder;
+use crate::pass::network::vector::difference;
+use mstmm_plan::{Freedoms, NetworkOrder};
 
 /// The nodes of a network and the placements of its members; what the members are made of stands elsewhere.
 #[derive(Clone, Debug)]
@@ -33,16 +32,10 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     pub fn new(sketch: &NetworkSketch<NODES, MEMBERS>, numbers: &[f64]) -> Result<Self, ParameterError> {
         let numbers = sketch.numbers(numbers);
         numbers.check(sketch)?;
-        let mut nodes = sketch.nodes.map(|node| {
-            // a motion of a path has any place
-            let place = node.place.map_or([T::zero(); 2], |place| numbers.place(place));
-            let own = Node::at(place).held(node.held);
-            PlacedNode::from(node.along.map_or(own, |direction| own.along(numbers.direction(direction))))
-        });
+        let mut nodes: [PlacedNode<T>; NODES] = core::array::from_fn(|node| placed_node(sketch, &numbers, node));
         for (index, body) in sketch.bodies.iter().enumerate() {
-            let [mass, inertia, x, y] = numbers.body(index);
-            let (zero, centre) = (T::zero(), in_space([x, y]));
-            nodes[body.node] = nodes[body.node].and_body(mass, [zero, zero, inertia, zero, zero, zero], centre);
+            let (mass, inertia, centre) = (numbers.mass(index), numbers.inertia(index), numbers.centre(index));
+            nodes[body.node] = nodes[body.node].and_body(mass, inertia, centre);
         }
         let mut motions = nodes.each_ref().map(Motions::of);
         for (motions, node) in motions.iter_mut().zip(&sketch.nodes) {
@@ -50,11 +43,16 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
         }
         let mut placements = [Placement::nowhere(); MEMBERS];
         for (placement, member) in placements.iter_mut().zip(&sketch.members) {
-            let ends = [0, 1].map(|end| joined(sketch, &numbers, member, end).into());
+            let ends = [0, 1].map(|end| joined(sketch, &numbers, member, end));
             let [from, to] = member.ends.each_ref().map(|end| sketch.node_of(end));
             let at_nodes = ([&nodes[from], &nodes[to]], [&motions[from], &motions[to]]);
+            // a first placement tells where the member leads
             *placement = Placement::new((member.freedoms, MemberPlane::Structure), &ends, at_nodes.0, at_nodes.1);
             numbers.check_distance(sketch, member, placement.own_length().to_f64())?;
+            let plane = plane(&numbers, member, placement.vector(0)).map_err(|error| error.of(member.name))?;
+            if sketch.is_in_space {
+                *placement = Placement::new((member.freedoms, plane), &ends, at_nodes.0, at_nodes.1);
+            }
         }
         let mut stiffness = StiffnessRoom::new([NODES, MEMBERS]);
         for (index, (node, motions)) in nodes.iter().zip(&motions).enumerate() {
@@ -74,12 +72,19 @@ impl<T: Real, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     /// Arranges what searches evaluate at many frequencies, once all members are described.
     pub fn arrange(&mut self, order: &NetworkOrder<'_>) {
         self.stiffness.arrange(order);
+        #[cfg(feature = "std")]
+        self.stiffness.set_space(&self.nodes, &self.motions, &self.placements);
         tie(&mut self.motions, &mut self.placements, self.stiffness.numbers());
     }
 
     /// The length of a member.
     pub fn length(&self, member: usize) -> T {
         self.placements[member].own_length()
+    }
+
+    /// Whether all nodes and members move in one plane.
+    pub fn is_flat(&self) -> bool {
+        self.stiffness.is_flat()
     }
 
     /// Adds the bodies to the estimates from which searches take their first steps.
@@ -110,27 +115,69 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     }
 }
 
+/// A node with its place and what holds it, without its body.
+fn placed_node<T: Real, const NODES: usize, const MEMBERS: usize>(
+    sketch: &NetworkSketch<NODES, MEMBERS>,
+    numbers: &Numbers<'_>,
+    index: usize,
+) -> PlacedNode<T> {
+    let node = &sketch.nodes[index];
+    // a motion of a path has any place
+    let position = node.place.map_or([T::zero(); 3], |place| numbers.place(place));
+    let skew = node.skew.map(|skew| match (skew, numbers.direction::<T>(skew.direction())) {
+        (SketchedSkew::Along(_), along) => Skew::Along(along),
+        // the one direction of the plane across another one
+        (SketchedSkew::Normal(_), [x, y, _]) if !sketch.is_in_space => Skew::Along([-y, x, T::zero()]),
+        (SketchedSkew::Normal(_), normal) => Skew::Normal(normal),
+    });
+    PlacedNode { held: sketch.held(index), skew, ..PlacedNode::at(position) }
+}
+
+/// The plane of a member that leads along a vector.
+fn plane<T: Real>(
+    numbers: &Numbers<'_>,
+    member: &SketchedMember,
+    along: [T; 3],
+) -> Result<MemberPlane<T>, InvalidParameter> {
+    let turned = |up: SketchedUp| {
+        let named = match up {
+            SketchedUp::Named(direction) => Some(numbers.direction(direction)),
+            SketchedUp::Z | SketchedUp::Any => None,
+        };
+        let chosen = up_of(along.map(T::to_f64), named, matches!(up, SketchedUp::Any));
+        let refused = |value| InvalidParameter { parameter: "up", value, requirement: Requirement::Orientation };
+        chosen.map(|up| up.map(T::from_f64)).map_err(refused)
+    };
+    Ok(match member.plane {
+        SketchedPlane::Structure => MemberPlane::Structure,
+        SketchedPlane::First(up) => MemberPlane::First(turned(up)?),
+        SketchedPlane::Second(up) => MemberPlane::Second(turned(up)?),
+        SketchedPlane::OneMotion if member.freedoms.is(Freedoms::RZ) => MemberPlane::About,
+        SketchedPlane::OneMotion => MemberPlane::Along,
+    })
+}
+
 /// The end of a member, with numbers.
 fn joined<T: Real, const NODES: usize, const MEMBERS: usize>(
     sketch: &NetworkSketch<NODES, MEMBERS>,
     numbers: &Numbers<'_>,
     member: &SketchedMember,
     end: usize,
-) -> End<T> {
+) -> SpatialEnd<T> {
     let (node, place) = (sketch.node_of(&member.ends[end]), sketch.place_of(&member.ends[end]));
-    let along = match member.axis(end) {
+    let [x, y, z] = [0, 1, 2].map(|axis| [0, 1, 2].map(|part| if part == axis { T::one() } else { T::zero() }));
+    let turns = matches!(member.plane, SketchedPlane::OneMotion) && member.freedoms.is(Freedoms::RZ);
+    let along = match sketch.axis(member, end) {
         Axis::Member => None,
-        Axis::X => Some([T::one(), T::zero()]),
-        Axis::Y => Some([T::zero(), T::one()]),
+        Axis::X if turns => Some(z),
+        Axis::X => Some(x),
+        Axis::Y => Some(y),
         Axis::Along(direction) => Some(numbers.direction(direction)),
-        Axis::FromTo(from, to) => {
-            let [[x, y], [to_x, to_y]] = [from, to].map(|place| numbers.place::<T>(place));
-            Some([to_x - x, to_y - y])
-        }
+        Axis::FromTo(from, to) => Some(difference(numbers.place(from), numbers.place(to))),
     };
     let elsewhere = place.filter(|_| place != sketch.nodes[node].place);
-    let position = elsewhere.map(|place| numbers.place(place));
-    End { node, position, released: member.released, along }
+    let place = elsewhere.map(|place| numbers.place(place));
+    SpatialEnd { node, place, released: member.released, along }
 }
 
 /// Adds bodies to the estimates: a loop, which would stand in line for each number of nodes.

@@ -1,18 +1,21 @@
 //! What `system!` says of a network: its nodes and members by indices, its numbers by their place in a list.
 
-use crate::model::{Hold, PlanePoint, Spot, Tied};
+use crate::model::{Hold, PlanePoint, SpacePoint, Spot, Tied};
+use core::ops::Range;
 use mstmm_plan::{Freedoms, OrderRoom, PathMember, PathNode, in_motion, lead_paths, unknowns};
 
 /// A network without its numbers.
 ///
-/// These are a list: the two coordinates of each place, the two parts of each direction, mass, inertia and the two coordinates of the
-/// centre of each body.
+/// These are a list: the coordinates of each place, the parts of each direction, and of each body its mass, its inertia and the coordinates of
+/// its mass centre. A place has two coordinates in the plane and three in space, where an inertia has six entries.
 #[derive(Clone, Copy, Debug)]
 pub struct NetworkSketch<const NODES: usize, const MEMBERS: usize> {
+    /// Whether its places have three coordinates.
+    pub is_in_space: bool,
     /// The name of what stands at each place.
     pub places: &'static [&'static str],
-    /// The name of what has each direction.
-    pub directions: &'static [&'static str],
+    /// The directions.
+    pub directions: &'static [SketchedDirection],
     /// The masses; several at one node are one body.
     pub bodies: &'static [SketchedBody],
     /// The points with a place; several at one node are tied rigidly.
@@ -23,6 +26,15 @@ pub struct NetworkSketch<const NODES: usize, const MEMBERS: usize> {
     pub nodes: [SketchedNode; NODES],
     /// The members.
     pub members: [SketchedMember; MEMBERS],
+}
+
+/// A direction.
+#[derive(Clone, Copy, Debug)]
+pub struct SketchedDirection {
+    /// The name of what has it.
+    pub name: &'static str,
+    /// The word in front of it: `along`, `up`.
+    pub word: &'static str,
 }
 
 /// A mass at a node.
@@ -56,10 +68,19 @@ pub struct SketchedSupport {
     pub point: usize,
     /// Index of the node that it holds: that of the point, or of a second support of a body one of its own.
     pub node: usize,
-    /// The freedoms that it holds, besides the displacement across a direction.
+    /// The freedoms that it holds, besides displacements across a direction, or along it.
     pub held: Freedoms,
-    /// Index of the direction along which the point moves.
-    pub along: Option<usize>,
+    /// How the point moves where it does not along axes.
+    pub skew: Option<SketchedSkew>,
+}
+
+/// How a point moves where it does not along axes: by the index of a direction.
+#[derive(Clone, Copy, Debug)]
+pub enum SketchedSkew {
+    /// Along it.
+    Along(usize),
+    /// Across it.
+    Normal(usize),
 }
 
 /// A node.
@@ -71,11 +92,11 @@ pub struct SketchedNode {
     pub freedoms: Freedoms,
     /// The freedoms that are held, and those that it has not.
     pub held: Freedoms,
-    /// Index of the direction along which it moves.
-    pub along: Option<usize>,
+    /// How it moves where it does not along axes.
+    pub skew: Option<SketchedSkew>,
 }
 
-/// A member.
+/// A member, or a part of a member in space.
 #[derive(Clone, Copy, Debug)]
 pub struct SketchedMember {
     /// Its name.
@@ -86,8 +107,36 @@ pub struct SketchedMember {
     pub freedoms: Freedoms,
     /// The freedoms that its ends do not share with their nodes, in the axes of the member.
     pub released: Freedoms,
+    /// The plane in which it moves.
+    pub plane: SketchedPlane,
+    /// Whether it is a further part of the member before it.
+    pub is_further: bool,
     /// Its input and its output.
     pub ends: [SketchedEnd; 2],
+}
+
+/// The plane in which a member moves, or a part of one.
+#[derive(Clone, Copy, Debug)]
+pub enum SketchedPlane {
+    /// x and y of the structure.
+    Structure,
+    /// x and y of the member.
+    First(SketchedUp),
+    /// x and z of the member.
+    Second(SketchedUp),
+    /// None: it has one motion, along an x axis or about it.
+    OneMotion,
+}
+
+/// The vector that is made the z axis of a member in space.
+#[derive(Clone, Copy, Debug)]
+pub enum SketchedUp {
+    /// The direction of an index.
+    Named(usize),
+    /// z of space.
+    Z,
+    /// z of space, but x where the member leads along z: its planes are alike.
+    Any,
 }
 
 /// The end of a member.
@@ -113,9 +162,9 @@ pub enum Seat {
 pub enum Axis {
     /// From the input end to the output end.
     Member,
-    /// x of the plane.
+    /// x of the structure; of what turns on a path in space z, about which its node turns.
     X,
-    /// y of the plane.
+    /// y of the structure.
     Y,
     /// The direction of an index.
     Along(usize),
@@ -131,7 +180,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         while member < MEMBERS {
             let [from, to] = &self.members[member].ends;
             let nodes = [self.node_of(from), self.node_of(to)];
-            pairs[member] = in_motion(nodes, [self.nodes[nodes[0]].rests(), self.nodes[nodes[1]].rests()]);
+            pairs[member] = in_motion(nodes, [self.motions_of(nodes[0]) == 0, self.motions_of(nodes[1]) == 0]);
             member += 1;
         }
         pairs
@@ -142,7 +191,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let (mut motions, mut freedoms) = ([0; NODES], [0; MEMBERS]);
         let mut node = 0;
         while node < NODES {
-            motions[node] = self.nodes[node].motions();
+            motions[node] = self.motions_of(node);
             node += 1;
         }
         let mut member = 0;
@@ -163,8 +212,8 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let mut nodes = [PathNode::NONE; NODES];
         let mut node = 0;
         while node < NODES {
-            let SketchedNode { freedoms, held, along, .. } = self.nodes[node];
-            nodes[node] = PathNode::new(freedoms.union(self.released_at(node)), held, along.is_some());
+            let SketchedNode { freedoms, held, skew, .. } = self.nodes[node];
+            nodes[node] = PathNode::new(freedoms.union(self.released_at(node)), held, skew.is_some());
             node += 1;
         }
         lead_paths(&mut nodes, &self.path_members());
@@ -213,20 +262,60 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         }
     }
 
-    /// The label of a point in a model.
+    /// The label of a point in a model of the plane or of a line.
     pub const fn label<M>(&self, point: usize) -> PlanePoint<M> {
+        PlanePoint::tied(self.tied(point, Freedoms::X.union(Freedoms::Y)))
+    }
+
+    /// The label of a point in a model in space.
+    pub const fn label_in_space<M>(&self, point: usize) -> SpacePoint<M> {
+        SpacePoint::tied(self.tied(point, Freedoms::X.union(Freedoms::Y).union(Freedoms::Z)))
+    }
+
+    /// Where a point is, given the displacements of points.
+    const fn tied(&self, point: usize, displacements: Freedoms) -> Tied {
         let SketchedPoint { node, place, freedoms, .. } = self.points[point];
         let mut hold = None;
         let mut support = 0;
         while support < self.supports.len() {
-            let SketchedSupport { point: of, node, held, along, .. } = self.supports[support];
+            let SketchedSupport { point: of, node, held, skew, .. } = self.supports[support];
             if of == point {
-                let across = if along.is_some() { Freedoms::X.union(Freedoms::Y) } else { Freedoms::NONE };
+                let across = if skew.is_some() { displacements } else { Freedoms::NONE };
                 hold = Some(Hold { node, freedoms: held.union(across) });
             }
             support += 1;
         }
-        PlanePoint::tied(Tied { node, place: Some(place), freedoms, hold })
+        Tied { node, place: Some(place), freedoms, hold }
+    }
+
+    /// The parts of the member that begins with one of an index.
+    pub fn parts(&self, first: usize) -> Range<usize> {
+        let further = self.members.iter().skip(first + 1).take_while(|member| member.is_further);
+        first..first + 1 + further.count()
+    }
+
+    /// The freedoms that are held at a node, and those that it has not.
+    pub(crate) const fn held(&self, node: usize) -> Freedoms {
+        let beyond = if self.is_in_space { Freedoms::NONE } else { Freedoms::SPACE.without(Freedoms::PLANE) };
+        self.nodes[node].held.union(beyond)
+    }
+
+    /// The number of motions that its supports leave a node.
+    const fn motions_of(&self, node: usize) -> usize {
+        let displacements = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
+        let free = Freedoms::SPACE.without(self.held(node));
+        match self.nodes[node].skew {
+            None => free.count(),
+            Some(SketchedSkew::Along(_)) => 1 + free.without(displacements).count(),
+            Some(SketchedSkew::Normal(_)) if self.is_in_space => 2 + free.without(displacements).count(),
+            Some(SketchedSkew::Normal(_)) => 1 + free.without(displacements).count(),
+        }
+    }
+
+    /// The x axis of an end: what turns about z of the plane needs none but that of the plane.
+    pub(crate) const fn axis(&self, member: &SketchedMember, end: usize) -> Axis {
+        let turns_in_plane = !self.is_in_space && member.freedoms.is(Freedoms::RZ);
+        if turns_in_plane { Axis::X } else { member.ends[end].axis }
     }
 
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.
@@ -235,26 +324,12 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     }
 }
 
-impl SketchedNode {
-    /// The motions that its supports leave.
-    const fn motions(&self) -> usize {
-        let free = Freedoms::PLANE.without(self.held);
-        match self.along {
-            Some(_) => 1 + free.intersection(Freedoms::RZ).count(),
-            None => free.count(),
+impl SketchedSkew {
+    /// The index of its direction.
+    pub(crate) const fn direction(self) -> usize {
+        match self {
+            SketchedSkew::Along(direction) | SketchedSkew::Normal(direction) => direction,
         }
-    }
-
-    /// Whether it has no motions.
-    const fn rests(&self) -> bool {
-        self.motions() == 0
-    }
-}
-
-impl SketchedMember {
-    /// The x axis of an end: what turns about z needs none but that of the plane.
-    pub(crate) const fn axis(&self, end: usize) -> Axis {
-        if self.freedoms.is(Freedoms::RZ) { Axis::X } else { self.ends[end].axis }
     }
 }
 

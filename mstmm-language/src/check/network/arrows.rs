@@ -14,9 +14,12 @@ pub(super) fn arrows(graph: &Graph<'_>, points: &Points, paths: &Paths<'_>, dime
             errors.push(edge.arrow.place, message);
         } else if let Some(along) = edge.along() {
             let is_contact = paths.all.iter().flat_map(|path| &path.contacts).any(|contact| contact.edge == index);
-            if dimension == Dimension::Plane && !is_contact {
-                let message = "`along` stands where a path of springs, dampers or masses meets a point with a place: \
-                               this arrow joins no such two, so remove it";
+            if dimension != Dimension::Line && !is_contact {
+                let message = format!(
+                    "`{}` stands where a path of springs, dampers or masses meets a point with a place: \
+                     this arrow joins no such two, so remove it",
+                    along.keyword
+                );
                 errors.push(along.keyword.span(), message);
             }
         }

@@ -2,9 +2,10 @@
 
 use super::dimension::counted;
 use super::findings::Findings;
+use super::in_space;
 use crate::ast::Element;
 use crate::diagnostics::Place;
-use crate::keywords::{Dimension, Role, support_of};
+use crate::keywords::{ABOUT, Dimension, Role, support_of};
 use crate::network::{Contact, Edge, Graph, Named, Path, PathMotion, Paths, Points};
 use mstmm_plan::{Space, Support};
 
@@ -17,12 +18,14 @@ pub(super) fn contacts<'a>(
     findings: &mut Findings<'a>,
 ) {
     for path in paths.all.iter().filter(|path| !is_doubtful(graph, points, path)) {
-        if !is_mixed(graph, path, findings) && dimension == Dimension::Plane {
-            directions(graph, points, path, findings);
+        if !is_mixed(graph, path, findings) && dimension != Dimension::Line {
+            directions(graph, points, path, dimension, findings);
         }
     }
-    if dimension == Dimension::Plane {
-        loose_points(graph, points, paths, findings);
+    match dimension {
+        Dimension::Line => {}
+        Dimension::Plane => loose_points(graph, points, paths, findings),
+        Dimension::Space => in_space::loose_points(graph, points, paths, findings),
     }
 }
 
@@ -77,42 +80,87 @@ fn format_mixed(graph: &Graph<'_>, turns: usize, moves: usize) -> String {
     )
 }
 
-/// Checks that the direction of a path is known at each of its contacts if it moves, and that none is said if it turns.
-fn directions<'a>(graph: &Graph<'a>, points: &Points, path: &Path<'a>, findings: &mut Findings<'a>) {
+/// Checks that the direction of a path is known at each of its contacts if it moves. Of one that turns the axis is known, or in the plane none is said.
+fn directions<'a>(
+    graph: &Graph<'a>,
+    points: &Points,
+    path: &Path<'a>,
+    dimension: Dimension,
+    findings: &mut Findings<'a>,
+) {
+    let moves = || if dimension == Dimension::Space { turning(graph, path) } else { Vec::new() };
+    let undirected = || match moves() {
+        wrong if wrong.is_empty() => undirected(graph, points, path, dimension),
+        wrong => wrong,
+    };
+    let directed = || match dimension {
+        Dimension::Space => without_axis(graph, points, path),
+        Dimension::Line | Dimension::Plane => directed(graph, path),
+    };
     match path.motion {
-        PathMotion::Translation => findings.errors_of(undirected(graph, points, path)),
-        PathMotion::Rotation => findings.errors_of(directed(graph, path)),
+        PathMotion::Translation => findings.errors_of(undirected()),
+        PathMotion::Rotation => findings.errors_of(directed()),
         PathMotion::Of(element) => {
-            findings.suspect_all(undirected(graph, points, path), (element, Space::Translation));
-            findings.suspect_all(directed(graph, path), (element, Space::Rotation));
+            findings.suspect_all(undirected(), (element, Space::Translation));
+            findings.suspect_all(directed(), (element, Space::Rotation));
         }
     }
 }
 
-/// What is wrong with directions of a path that turns.
+/// What is wrong with axes of rotation of a path that moves.
+fn turning(graph: &Graph<'_>, path: &Path<'_>) -> Vec<(Place, String)> {
+    let said = path.contacts.iter().filter_map(|contact| graph.edges[contact.edge].along());
+    let about = said.filter(|direction| direction.keyword == ABOUT);
+    let message = "a path that moves acts along a direction: write `along` in the place of `about`";
+    about.map(|about| (about.keyword.span().into(), message.to_owned())).collect()
+}
+
+/// What is wrong with axes of a path that turns, in space: it has one at each of its contacts.
+fn without_axis(graph: &Graph<'_>, points: &Points, path: &Path<'_>) -> Vec<(Place, String)> {
+    let of_contact = |contact: &Contact| {
+        let edge = &graph.edges[contact.edge];
+        let place = match edge.along() {
+            Some(about) if about.keyword == ABOUT => return None,
+            Some(along) => along.keyword.span().into(),
+            None => edge.arrow.place,
+        };
+        let example = contact_name(graph, points, contact);
+        Some((place, format!("a path that turns acts about an axis: `{example} <- about (0.0, 0.0, 1.0) <- ..`")))
+    };
+    path.contacts.iter().filter_map(of_contact).collect()
+}
+
+/// What is wrong with directions of a path that turns, in the plane.
 fn directed(graph: &Graph<'_>, path: &Path<'_>) -> Vec<(Place, String)> {
-    let along = path.contacts.iter().filter_map(|contact| graph.edges[contact.edge].along());
+    let said = path.contacts.iter().filter_map(|contact| graph.edges[contact.edge].along());
+    // of `about` a message of its own speaks
+    let along = said.filter(|direction| direction.keyword != ABOUT);
     let message = "a path of torsion elements turns about z, the one axis of the plane: remove `along`";
     along.map(|along| (along.keyword.span().into(), message.to_owned())).collect()
 }
 
 /// What is wrong with directions of a path that moves: it has one at each of its contacts, or at none.
-fn undirected(graph: &Graph<'_>, points: &Points, path: &Path<'_>) -> Vec<(Place, String)> {
+fn undirected(graph: &Graph<'_>, points: &Points, path: &Path<'_>, dimension: Dimension) -> Vec<(Place, String)> {
     let edge = |contact: &Contact| &graph.edges[contact.edge];
     let without: Vec<&Contact> = path.contacts.iter().filter(|contact| edge(contact).along().is_none()).collect();
     if without.len() == path.contacts.len() {
-        let missing = without_line(graph, points, path);
+        let missing = without_line(graph, points, path, dimension);
         return missing.into_iter().map(|(contact, message)| (edge(contact).arrow.place, message)).collect();
     }
     let message = |contact: &Contact| {
-        let example = example(graph, points, contact);
+        let example = example(graph, points, contact, dimension);
         format!("this path says `along` where it meets other points: say it here too, {example}")
     };
     without.into_iter().map(|contact| (edge(contact).arrow.place, message(contact))).collect()
 }
 
 /// What is missing where no contact of a path says a direction: exactly two points at two places have a line through them.
-fn without_line<'p>(graph: &Graph<'_>, points: &Points, path: &'p Path<'_>) -> Option<(&'p Contact, String)> {
+fn without_line<'p>(
+    graph: &Graph<'_>,
+    points: &Points,
+    path: &'p Path<'_>,
+    dimension: Dimension,
+) -> Option<(&'p Contact, String)> {
     match path.contacts.as_slice() {
         [] => None,
         [contact] => {
@@ -127,7 +175,7 @@ fn without_line<'p>(graph: &Graph<'_>, points: &Points, path: &'p Path<'_>) -> O
                 format!(
                     "the direction of `{}` is unknown, since its path meets one point with a place: say it, {}",
                     element.name(),
-                    example(graph, points, contact)
+                    example(graph, points, contact, dimension)
                 )
             };
             Some((contact, message))
@@ -142,18 +190,22 @@ fn without_line<'p>(graph: &Graph<'_>, points: &Points, path: &'p Path<'_>) -> O
             format!(
                 "this path meets {} points with places, and a line leads through two: say `along` at each of them, {}",
                 counted(path.contacts.len()),
-                example(graph, points, last)
+                example(graph, points, last, dimension)
             ),
         )),
     }
 }
 
 /// How a direction is written at a contact.
-fn example(graph: &Graph<'_>, points: &Points, contact: &Contact) -> String {
+fn example(graph: &Graph<'_>, points: &Points, contact: &Contact, dimension: Dimension) -> String {
+    format!("`{} <- along {} <- ..`", contact_name(graph, points, contact), dimension.direction())
+}
+
+/// The connection at a contact.
+fn contact_name(graph: &Graph<'_>, points: &Points, contact: &Contact) -> String {
     let mut at_point = points.vertices_at(graph, contact.point);
     let name = at_point.find(|&vertex| graph.role(vertex) == Role::Connection);
-    let name = name.map_or_else(|| "conn a".to_owned(), |vertex| graph.vertices[vertex].name());
-    format!("`{name} <- along (dx, dy) <- ..`")
+    name.map_or_else(|| "conn a".to_owned(), |vertex| graph.vertices[vertex].name())
 }
 
 /// Reports points with places that one path alone moves: across it they have neither mass nor stiffness.

@@ -7,10 +7,7 @@ use crate::keywords::Dimension;
 /// Finds the dimension, and reports places and directions that do not fit it.
 ///
 /// The first place decides. Where none has a number of coordinates that there is, which is an error, it is the plane.
-///
-/// # Errors
-/// The first place is one of space.
-pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> syn::Result<Dimension> {
+pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> Dimension {
     let places: Vec<(String, &Coordinates)> = model.nodes().filter_map(named_place).collect();
     for (_, place) in &places {
         if place.is_tuple && !matches!(place.parts.len(), 2 | 3) {
@@ -18,13 +15,9 @@ pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> syn::Result<Dimen
         }
     }
     let Some((first, decisive)) = places.iter().find(|(_, place)| has_dimension(place)) else {
-        return Ok(Dimension::Plane);
+        return Dimension::Plane;
     };
     let count = decisive.parts.len();
-    if count == 3 {
-        let message = "space is not supported yet: a model has places with one coordinate, or with two, `at (x, y)`";
-        return Err(syn::Error::new_spanned(decisive.value, message));
-    }
     for (name, place) in places.iter().filter(|(_, place)| has_dimension(place) && place.parts.len() != count) {
         let message = format!(
             "the place of `{name}` has {}, that of `{first}` {}: all points of a model have equally many",
@@ -33,7 +26,11 @@ pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> syn::Result<Dimen
         );
         errors.push(place.value, message);
     }
-    Ok(if count == 1 { Dimension::Line } else { Dimension::Plane })
+    match count {
+        1 => Dimension::Line,
+        2 => Dimension::Plane,
+        _ => Dimension::Space,
+    }
 }
 
 /// The place of a point, with the name of the point.
@@ -51,7 +48,7 @@ fn has_dimension(place: &Coordinates) -> bool {
 }
 
 fn wrong_number(count: usize) -> String {
-    let cure = "a point of the plane has two, `at (x, y)`, and one coordinate is written without parentheses, `at x`";
+    let cure = "a point has two coordinates, `at (x, y)`, or three, `at (x, y, z)`; one is written without parentheses, `at x`";
     format!("a tuple of {} is no place: {cure}", counted(count))
 }
 
@@ -65,9 +62,15 @@ pub(super) fn counted(count: usize) -> String {
     words.get(count).map_or_else(|| count.to_string(), |&word| word.to_owned())
 }
 
-/// Checks the number of parts of a direction in the plane, `along (dx, dy)`.
-pub(super) fn direction(direction: &Coordinates, errors: &mut Errors) {
-    if !(direction.is_tuple && direction.parts.len() == 2) {
-        errors.push(direction.value, "a direction of the plane has two parts, `along (dx, dy)`");
+/// Checks the number of parts of a direction, `along (dx, dy)`.
+pub(super) fn direction(direction: &Coordinates, dimension: Dimension, errors: &mut Errors) {
+    if !(direction.is_tuple && direction.parts.len() == dimension.coordinates()) {
+        let (of, count) = match dimension {
+            Dimension::Space => ("in space", "three"),
+            Dimension::Line | Dimension::Plane => ("of the plane", "two"),
+        };
+        let form = dimension.direction();
+        let message = format!("a direction {of} has {count} parts, `{} {form}`", direction.keyword);
+        errors.push(direction.value, message);
     }
 }

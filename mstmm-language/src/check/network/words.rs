@@ -3,11 +3,11 @@
 use super::super::new_words::in_new_words;
 use super::super::words::{check_support, support_names, unknown_keyword, without_parameters};
 use super::super::{listed, parameters};
-use super::dimension;
+use super::{dimension, in_space};
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING, freedom_of, located_of,
+    ABOUT, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING, Tuple, freedom_of, located_of,
     old_word,
 };
 use std::collections::BTreeSet;
@@ -28,14 +28,20 @@ pub(crate) fn located_words(model: &Model, dimension: Dimension, errors: &mut Er
     check_bodies(model, dimension, errors);
 }
 
-/// Directions need a plane to lie in.
+/// Directions need a plane to lie in, and axes of rotation space.
 fn check_direction(direction: &Coordinates, dimension: Dimension, errors: &mut Errors) {
+    let word = &direction.keyword;
     match dimension {
-        Dimension::Plane => dimension::direction(direction, errors),
+        Dimension::Line | Dimension::Plane if word == ABOUT => {
+            let message = "`about` needs three coordinates: a path that turns does so about z here, so remove it";
+            errors.push(word.span(), message);
+        }
+        Dimension::Plane | Dimension::Space => dimension::direction(direction, dimension, errors),
         Dimension::Line => {
-            let message =
-                "`along` needs two coordinates: where points have one, paths act across the line, so remove it";
-            errors.push(direction.keyword.span(), message);
+            let message = format!(
+                "`{word}` needs two coordinates: where points have one, paths act across the line, so remove it"
+            );
+            errors.push(word.span(), message);
         }
     }
 }
@@ -53,18 +59,31 @@ fn check_located_support(support: &Support, dimension: Dimension, errors: &mut E
         let message = "`roller` holds nothing along a line that `pinned` does not: write `pinned`";
         errors.push(keyword.span(), message);
     }
-    let Some(direction) = &support.direction else { return };
-    match keyword.to_string().as_str() {
-        "roller" | "guided" => check_direction(direction, dimension, errors),
-        HELD => errors.push(
-            direction.keyword.span(),
-            "`held` takes no `along`, since its freedoms are those of the axes: a skew support is `roller along (dx, dy)`",
+    let text = keyword.to_string();
+    let is_skew = matches!(text.as_str(), "roller" | "guided");
+    let Some(direction) = &support.direction else {
+        if is_skew && dimension == Dimension::Space {
+            let message = format!(
+                "say which way: `{text} normal (0.0, 0.0, 1.0)` holds one direction, `{text} along (1.0, 0.0, 0.0)` leaves one"
+            );
+            errors.push(keyword.span(), message);
+        }
+        return;
+    };
+    let word = &direction.keyword;
+    let message = match text.as_str() {
+        _ if word == ABOUT => {
+            "`about` is the axis of a path that turns: a support has `along` or `normal`, or names what it holds, `held(x, rz)`"
+                .to_owned()
+        }
+        _ if is_skew => return check_direction(direction, dimension, errors),
+        HELD => format!(
+            "`held` takes no `{word}`, since its freedoms are those of the axes: a skew support is `roller {word} {}`",
+            dimension.direction()
         ),
-        text => errors.push(
-            direction.keyword.span(),
-            format!("`{text}` is alike in all directions: remove `along`, which `roller` and `guided` take"),
-        ),
-    }
+        _ => format!("`{text}` is alike in all directions: remove `{word}`, which `roller` and `guided` take"),
+    };
+    errors.push(word.span(), message);
 }
 
 /// The freedoms of `held(..)` exist and are different.
@@ -136,7 +155,11 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match row.role {
         Role::Unknown => "has its points by offsets, which places replace",
-        _ if dimension == Dimension::Plane => "does not stretch, so it stands where points have one coordinate",
+        Role::Joint if dimension == Dimension::Space => "is a joint of the plane",
+        Role::Joint if row.instead(Dimension::Space).is_none() && row.instead(Dimension::Plane).is_some() => {
+            "is a joint of space"
+        }
+        _ if dimension != Dimension::Line => "does not stretch, so it stands where points have one coordinate",
         _ => "moves in the plane, but points have one coordinate here",
     }
 }
@@ -149,34 +172,50 @@ fn check_parameters(element: &Element, row: &LocatedKeyword, dimension: Dimensio
                 format!("`{element}` takes no `length`, which follows from the places of its ends: remove it");
             errors.push(length.name.span(), message);
         }
-        None => parameters::parameters(element, Some(&row.parameters(dimension)), errors),
+        None => {
+            let known = in_space::known(element, row.parameters(dimension));
+            parameters::parameters(element, Some(&known), errors);
+            in_space::named_twice(element, errors);
+        }
     }
     if parameters::names_nothing(element) {
-        let advice = format!("write `pin {} {{}}`, which lets the rotation go, or name a stiffness", element.label);
+        let joint = if dimension == Dimension::Space { "ball_joint" } else { "pin" };
+        let advice = format!("write `{joint} {} {{}}`, which lets rotations go, or name a stiffness", element.label);
         errors.push(
             element.place(),
             format!("`{element}` names no freedom that gives way, so it would be rigid: {advice}"),
         );
     }
-    let vectors =
-        element.parameters().filter(|parameter| row.vector.is_some_and(|name| parameter.name.unraw() == name));
-    for parameter in vectors {
-        check_vector(parameter, dimension, errors);
+    for parameter in element.parameters() {
+        if let Some(tuple) = row.tuple(&parameter.name.unraw().to_string()) {
+            check_tuple(parameter, tuple, dimension, errors);
+        }
     }
 }
 
-/// The parts of a parameter are as many as those of a place.
-fn check_vector(parameter: &Parameter, dimension: Dimension, errors: &mut Errors) {
+/// The parts of a parameter are as many as those of a place, or as those of a tensor.
+fn check_tuple(parameter: &Parameter, tuple: Tuple, dimension: Dimension, errors: &mut Errors) {
     let value = parameter.expression();
     let name = &parameter.name;
-    let message = match (dimension, tuple_parts(&value)) {
-        (Dimension::Plane, Some(parts)) if parts.len() == 2 => return,
-        (Dimension::Line, None) => return,
-        (Dimension::Plane, _) => {
-            let parts = if name == ALONG { "(dx, dy)" } else { "(x, y)" };
-            format!("`{name}` has two parts in the plane, which are written as a tuple, `{name}: {parts}`")
+    let count = tuple_parts(&value).map(|parts| parts.len());
+    let message = match (dimension, tuple) {
+        (Dimension::Space, Tuple::Tensor) if matches!(count, Some(3 | 6)) => return,
+        (Dimension::Space, Tuple::Tensor) => {
+            format!("`{name}` is a tensor in space: `{name}: (xx, yy, zz)`, or with `xy, yz, zx`")
         }
-        (Dimension::Line, Some(_)) => format!("`{name}` is one number where points have one coordinate: `{name}: x`"),
+        (Dimension::Line | Dimension::Plane, Tuple::Tensor) | (Dimension::Line, _) if count.is_none() => return,
+        (_, Tuple::Tensor) => format!("`{name}` is one moment of inertia in the plane, about z: `{name}: j`"),
+        (Dimension::Line, _) => format!("`{name}` is one number where points have one coordinate: `{name}: x`"),
+        (Dimension::Plane | Dimension::Space, _) if count == Some(dimension.coordinates()) => return,
+        (_, tuple) => {
+            let (number, of) =
+                if dimension == Dimension::Space { ("three", "in space") } else { ("two", "in the plane") };
+            let parts = match tuple {
+                Tuple::Place => dimension.example().trim_start_matches("at "),
+                _ => dimension.direction(),
+            };
+            format!("`{name}` has {number} parts {of}, which are written as a tuple, `{name}: {parts}`")
+        }
     };
     errors.push(place_of(&value), message);
 }
@@ -195,7 +234,7 @@ fn check_bodies(model: &Model, dimension: Dimension, errors: &mut Errors) {
     for body in model.elements().filter(is_body).filter(|body| body.parameters.is_none()) {
         let label = body.label.to_string();
         if !defined.contains(&label) && missed.insert(label) {
-            let centre = if dimension == Dimension::Line { "x" } else { "(x, y)" };
+            let centre = dimension.example().trim_start_matches("at ");
             let message = match body.kind.name() {
                 name if name == RIGID_LINK => {
                     format!("`{body}` lacks its braces, at one of its mentions: `{body} {{}}`")

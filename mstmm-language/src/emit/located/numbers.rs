@@ -3,8 +3,9 @@
 use super::super::Names;
 use super::super::fields::bindings;
 use super::super::system::{number, number_of};
-use crate::ast::{Element, Model, Parameter, place_of};
-use crate::skeleton::{Skeleton, What};
+use crate::ast::{Element, Model, Parameter, place_of, tuple_parts};
+use crate::keywords::Dimension;
+use crate::skeleton::{Body, Skeleton, What};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote_spanned};
 use syn::Expr;
@@ -50,19 +51,36 @@ pub(super) enum Number<'s> {
 
 /// The numbers of places, directions and masses in the order of the core's sketch; none for what the model does not say, which is zero.
 pub(super) fn geometry<'s>(skeleton: &'s Skeleton<'_>) -> impl Iterator<Item = Option<Number<'s>>> {
-    let vectors = skeleton.places.iter().chain(&skeleton.directions).flat_map(|vector| two(vector.parts));
-    let bodies = skeleton.bodies.iter().flat_map(|body| {
-        let [mass, inertia] = ["mass", "inertia"].map(|name| named(body.element, name).map(Number::Parameter));
-        let [x, y] = two(body.centre);
-        [mass, inertia, x, y]
+    let is_in_space = skeleton.dimension == Dimension::Space;
+    let vector = move |parts: &'s [Expr]| (0..if is_in_space { 3 } else { 2 }).map(|k| parts.get(k).map(Number::Part));
+    let (places, directions) = (skeleton.places.iter(), skeleton.directions.iter());
+    let vectors = places.map(|place| &place.parts).chain(directions.map(|direction| &direction.parts));
+    let bodies = skeleton.bodies.iter().flat_map(move |body| {
+        let mass = named(body.element, "mass").map(Number::Parameter);
+        let inertia = if is_in_space { entries(body) } else { vec![named(body.element, "inertia").map(Number::Parameter)] };
+        [mass].into_iter().chain(inertia).chain(vector(&body.centre))
     });
-    vectors.chain(bodies)
+    vectors.flat_map(move |parts| vector(parts)).chain(bodies)
 }
 
-/// Both parts of a place or a direction.
-fn two(parts: &[Expr]) -> [Option<Number<'_>>; 2] {
-    [0, 1].map(|k| parts.get(k).map(Number::Part))
+/// How many numbers stand in front of the parameters of members.
+pub(super) fn count(skeleton: &Skeleton<'_>) -> usize {
+    geometry(skeleton).count()
 }
+
+/// The entries xx, yy, zz, xy, yz and zx of the inertia of a body in space; of one on a path that about z, about which its motion turns.
+fn entries<'s>(body: &'s Body<'_>) -> Vec<Option<Number<'s>>> {
+    let inertia = named(body.element, "inertia");
+    let parts = inertia.and_then(|inertia| inertia.value.as_ref()).and_then(tuple_parts);
+    match parts {
+        Some(parts) => (0..ENTRIES).map(|entry| parts.get(entry).copied().map(Number::Part)).collect(),
+        None => (0..ENTRIES).map(|entry| inertia.filter(|_| entry == ABOUT_Z).map(Number::Parameter)).collect(),
+    }
+}
+
+/// The number of entries of a tensor, and the place of the one about z.
+const ENTRIES: usize = 6;
+const ABOUT_Z: usize = 2;
 
 /// A coordinate as a number.
 fn coordinate(value: &Expr, names: &Names) -> TokenStream {

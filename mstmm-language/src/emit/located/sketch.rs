@@ -2,7 +2,8 @@
 
 use super::super::Names;
 use crate::network::FreedomSet;
-use crate::skeleton::{Axis, End, Member, Node, Point, Seat, Skeleton, Support};
+use crate::keywords::{Dimension, ROTATIONS};
+use crate::skeleton::{Axis, Direction, End, Member, Node, Plane, Point, Seat, Skeleton, Skew, Support, Up};
 use mstmm_plan::Freedoms;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, format_ident, quote_spanned};
@@ -11,7 +12,10 @@ use quote::{ToTokens, format_ident, quote_spanned};
 pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let places = skeleton.places.iter().map(|place| &place.name);
-    let directions = skeleton.directions.iter().map(|direction| &direction.name);
+    let directions = skeleton.directions.iter().map(|Direction { name, word, .. }| {
+        quote_spanned!(names.here=> #private::SketchedDirection { name: #name, word: #word })
+    });
+    let is_in_space = skeleton.dimension == Dimension::Space;
     let bodies = skeleton.bodies.iter().map(|body| {
         let (name, node) = (body.element.to_string(), body.node);
         quote_spanned!(names.here=> #private::SketchedBody { name: #name, node: #node })
@@ -23,6 +27,7 @@ pub(super) fn sketch(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let (node_count, member_count) = (skeleton.nodes.len(), skeleton.members.len());
     quote_spanned! {names.here=>
         const SKETCH: #private::NetworkSketch<#node_count, #member_count> = #private::NetworkSketch {
+            is_in_space: #is_in_space,
             places: &[#(#places),*],
             directions: &[#(#directions),*],
             bodies: &[#(#bodies),*],
@@ -48,31 +53,31 @@ fn sketched_point(point: &Point<'_>, names: &Names) -> TokenStream {
 fn sketched_support(support: &Support, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
     let Support { name, point, node, .. } = support;
-    let (mut held, along) = (freedoms(support.held, names), option(support.along, names));
+    let (mut held, skew) = (freedoms(support.held, names), skew(support.skew, names));
     let of_point = &skeleton.points[*point].freedoms;
     if of_point.as_known().is_none() {
         let of_point = freedom_set(of_point, names);
         held = quote_spanned!(names.here=> #held.intersection(#of_point));
     }
     quote_spanned! {names.here=>
-        #private::SketchedSupport { name: #name, point: #point, node: #node, held: #held, along: #along }
+        #private::SketchedSupport { name: #name, point: #point, node: #node, held: #held, skew: #skew }
     }
 }
 
 fn sketched_node(node: &Node<'_>, names: &Names) -> TokenStream {
     let private = &names.private;
-    let (place, along) = (option(node.place, names), option(node.along, names));
+    let (place, skew) = (option(node.place, names), skew(node.skew, names));
     let own = freedom_set(&node.freedoms, names);
     let held = match node.known() {
         Some([_, held]) => freedoms(held, names),
         None => {
-            let [held, all] = [node.held, Freedoms::PLANE].map(|set| freedoms(set, names));
-            let turns = node.along.map(|_| quote_spanned!(names.here=> .intersection(#private::Freedoms::RZ)));
+            let [held, all, turns] = [node.held, node.all, ROTATIONS].map(|set| freedoms(set, names));
+            let turns = node.skew.map(|_| quote_spanned!(names.here=> .intersection(#turns)));
             quote_spanned!(names.here=> #held.union(#all.without(#own))#turns)
         }
     };
     quote_spanned! {names.here=>
-        #private::SketchedNode { place: #place, freedoms: #own, held: #held, along: #along }
+        #private::SketchedNode { place: #place, freedoms: #own, held: #held, skew: #skew }
     }
 }
 
@@ -82,11 +87,43 @@ fn sketched_member(member: &Member<'_>, names: &Names) -> TokenStream {
     let freedoms = freedom_set(&member.freedoms, names);
     let released = self::freedoms(member.released(), names);
     let ends = member.ends.iter().map(|end| sketched_end(end, names));
+    let (plane, is_further) = (sketched_plane(member.plane, names), member.is_further);
     quote_spanned! {names.here=>
         #private::SketchedMember {
-            name: #name, kind: #kind, freedoms: #freedoms, released: #released, ends: [#(#ends),*]
+            name: #name, kind: #kind, freedoms: #freedoms, released: #released,
+            plane: #private::SketchedPlane::#plane, is_further: #is_further, ends: [#(#ends),*]
         }
     }
+}
+
+fn sketched_plane(plane: Plane, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let up = |up: Up| match up {
+        Up::Named(direction) => quote_spanned!(names.here=> #private::SketchedUp::Named(#direction)),
+        Up::Z => quote_spanned!(names.here=> #private::SketchedUp::Z),
+        Up::Any => quote_spanned!(names.here=> #private::SketchedUp::Any),
+    };
+    match plane {
+        Plane::Structure => quote_spanned!(names.here=> Structure),
+        Plane::First(own) => {
+            let up = up(own);
+            quote_spanned!(names.here=> First(#up))
+        }
+        Plane::Second(own) => {
+            let up = up(own);
+            quote_spanned!(names.here=> Second(#up))
+        }
+        Plane::OneMotion => quote_spanned!(names.here=> OneMotion),
+    }
+}
+
+fn skew(skew: Option<Skew>, names: &Names) -> TokenStream {
+    let private = &names.private;
+    let skew = skew.map(|Skew { direction, is_normal }| {
+        let way = proc_macro2::Ident::new(if is_normal { "Normal" } else { "Along" }, names.here);
+        quote_spanned!(names.here=> #private::SketchedSkew::#way(#direction))
+    });
+    option(skew, names)
 }
 
 fn sketched_end(end: &End, names: &Names) -> TokenStream {
@@ -128,11 +165,14 @@ pub(super) fn freedom_set(set: &FreedomSet<'_>, names: &Names) -> TokenStream {
 /// A set of known freedoms.
 fn freedoms(set: Freedoms, names: &Names) -> TokenStream {
     let private = &names.private;
-    if set == Freedoms::PLANE {
-        return quote_spanned!(names.here=> #private::Freedoms::PLANE);
+    for (all, name) in [(Freedoms::PLANE, "PLANE"), (Freedoms::SPACE, "SPACE")] {
+        if set == all {
+            let name = proc_macro2::Ident::new(name, names.here);
+            return quote_spanned!(names.here=> #private::Freedoms::#name);
+        }
     }
     let mut sum = quote_spanned!(names.here=> #private::Freedoms::NONE);
-    for (freedom, name) in Freedoms::SINGLE.into_iter().zip(["X", "Y", "RZ"]) {
+    for (freedom, name) in Freedoms::EACH.into_iter().zip(["X", "Y", "RZ", "Z", "RX", "RY"]) {
         if set.contains(freedom) {
             let name = proc_macro2::Ident::new(name, names.here);
             sum.extend(quote_spanned!(names.here=> .union(#private::Freedoms::#name)));

@@ -2,9 +2,10 @@
 
 use super::super::system::{build_functions, fields_of, kept_fields, values_of_fields};
 use super::super::{Names, implement};
-use super::numbers::geometry;
+use super::numbers::{count, geometry};
 use super::{answers_of_members, bounds, by_type, field};
 use crate::ast::{Element, Model};
+use crate::keywords::Dimension;
 use crate::skeleton::{Member, Skeleton, What};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
@@ -44,7 +45,7 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: b
 /// `build()`: from the parameters to the skeleton, the members and the estimates of the searches.
 pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let mut place = 2 * (skeleton.places.len() + skeleton.directions.len()) + 4 * skeleton.bodies.len();
+    let mut place = count(skeleton);
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
     let descriptions = skeleton.members.iter().enumerate().map(|(index, member)| {
         let (span, kind) = (member.span(names), member.kind(names));
@@ -155,6 +156,14 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         let element = names.trait_at("Element", span);
         quote_spanned!(span=> <#kind as #element>::MAY_BUCKLE)
     });
+    let is_in_space = skeleton.dimension == Dimension::Space;
+    let is_flat = is_in_space.then(|| {
+        quote_spanned! {names.here=>
+            fn is_flat(&self) -> ::core::primitive::bool {
+                self.skeleton.is_flat()
+            }
+        }
+    });
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
@@ -170,6 +179,8 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
             fn name_parts(&self, visitor: &mut dyn #private::Visitor) {
                 #private::visit_network(self, visitor);
             }
+
+            #is_flat
 
             fn spot_of(&self, place: ::core::primitive::usize) -> #private::Spot {
                 #private::Placed::spot(self, place)
@@ -187,6 +198,17 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
     let Names { private, system, parameter, .. } = names;
     let model = &model.parameters.ident;
     let (nodes, members) = (skeleton.nodes.len(), skeleton.members.len());
+    let is_in_space = skeleton.dimension == Dimension::Space;
+    let parts = is_in_space.then(|| {
+        quote_spanned! {names.here=>
+            fn parts_of(
+                &self,
+                member: #private::Handle,
+            ) -> ::core::result::Result<::core::ops::Range<::core::primitive::usize>, #private::MotionError> {
+                #private::Placed::member_of(self, member).map(|first| SKETCH.parts(first))
+            }
+        }
+    });
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Placed for #system<#parameter> {
@@ -215,6 +237,8 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
             fn numbers(&self) -> &[#private::MemberNumbers] {
                 self.skeleton.numbers()
             }
+
+            #parts
 
             fn spot(&self, node: ::core::primitive::usize) -> #private::Spot {
                 SKETCH.spot(node)

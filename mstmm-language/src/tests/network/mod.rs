@@ -19,11 +19,8 @@ fn described(model: &str) -> String {
     let mut errors = Errors::default();
     let mut model = read(input(model), &mut errors).unwrap();
     crate::check::words(&model, &mut errors);
-    let network = match located(&mut model, errors) {
-        Ok((dimension, errors)) => network(&model, dimension, errors),
-        Err(error) => Err(error),
-    };
-    match network {
+    let dimension = located(&mut model, &mut errors);
+    match network(&model, dimension, errors) {
         Ok(network) => network.to_string(),
         Err(error) => error.into_iter().map(|error| format!("{error}\n")).collect(),
     }

@@ -13,7 +13,7 @@ use std::fmt::Write;
 fn check(model: &str, text: Expect) {
     let mut errors = Errors::default();
     let mut model = read(input(model), &mut errors).unwrap();
-    let (dimension, errors) = located(&mut model, errors).unwrap();
+    let dimension = located(&mut model, &mut errors);
     let network = network(&model, dimension, errors).unwrap();
     let mut shown = Skeleton::of(&network).to_string();
     for suspicion in &network.suspicions {
