@@ -127,6 +127,8 @@ pub(crate) enum Plane {
     Second(Up),
     /// None: it has one motion.
     OneMotion,
+    /// None: it twists about x of the member.
+    Twist,
 }
 
 /// The vector that is made the z axis of a member.

@@ -10,3 +10,4 @@ mod motions;
 #[path = "../support/random.rs"]
 mod numbers;
 mod random;
+mod sketches;

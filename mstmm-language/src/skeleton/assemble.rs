@@ -49,7 +49,7 @@ fn plane_of(part: usize, up: Up) -> Plane {
     match part {
         0 => Plane::First(up),
         1 => Plane::Second(up),
-        _ => Plane::OneMotion,
+        _ => Plane::Twist,
     }
 }
 

@@ -152,6 +152,7 @@ fn plane<T: Real>(
         SketchedPlane::Structure => MemberPlane::Structure,
         SketchedPlane::First(up) => MemberPlane::First(turned(up)?),
         SketchedPlane::Second(up) => MemberPlane::Second(turned(up)?),
+        SketchedPlane::Twist => MemberPlane::About,
         SketchedPlane::OneMotion if member.freedoms.is(Freedoms::RZ) => MemberPlane::About,
         SketchedPlane::OneMotion => MemberPlane::Along,
     })

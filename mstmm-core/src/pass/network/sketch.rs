@@ -126,6 +126,8 @@ pub enum SketchedPlane {
     Second(SketchedUp),
     /// None: it has one motion, along an x axis or about it.
     OneMotion,
+    /// None: it twists about x of the member.
+    Twist,
 }
 
 /// The vector that is made the z axis of a member in space.

@@ -113,6 +113,7 @@ fn sketched_plane(plane: Plane, names: &Names) -> TokenStream {
             let up = up(own);
             quote_spanned!(names.here=> Second(#up))
         }
+        Plane::Twist => quote_spanned!(names.here=> Twist),
         Plane::OneMotion => quote_spanned!(names.here=> OneMotion),
     }
 }
