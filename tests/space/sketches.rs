@@ -3,6 +3,7 @@
 
 mod portal;
 mod small;
+mod workshop;
 
 use mstmm::prelude::*;
 use mstmm::search::Undamped;
