@@ -114,8 +114,9 @@ pub use pass::network::{
     Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
     Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
     PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Seat,
-    Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane, SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel,
-    build_member, network_pass, overall_determinant, overall_matrix, visit_network,
+    Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane, SketchedPoint,
+    SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel, build_member, network_pass, overall_determinant,
+    overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

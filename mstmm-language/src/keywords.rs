@@ -5,11 +5,12 @@ mod elements;
 mod in_space;
 mod located;
 mod old_words;
+mod other_names;
 
 pub(crate) use dimension::Dimension;
-use elements::BAR;
 pub(crate) use elements::{
-    AXIAL_STIFFNESS, DAMPING, ELEMENTS, Keyword, STRING, TypeRow, element_of, elements_of_paths, has_somewhere, neutral,
+    AXIAL_STIFFNESS, BAR, DAMPING, ELEMENTS, Keyword, STRING, TypeRow, element_of, elements_of_paths, has_somewhere,
+    neutral,
 };
 pub(crate) use in_space::{PAIRS, in_space};
 pub(crate) use located::{
@@ -20,6 +21,7 @@ use mstmm_plan::Support;
 #[cfg(test)]
 pub(crate) use old_words::OLD_WORDS;
 pub(crate) use old_words::{OldWord, old_word, renamed_in};
+pub(crate) use other_names::{Meant, meant_element, meant_parameter, meant_support};
 
 /// The supports and their keywords.
 pub(crate) const SUPPORTS: &[(&str, Support)] = &[
@@ -29,48 +31,6 @@ pub(crate) const SUPPORTS: &[(&str, Support)] = &[
     ("guided", Support::Guided),
     ("roller", Support::Roller),
 ];
-
-/// What supports are called elsewhere.
-const OTHER_NAMES: &[(&str, &str)] = &[
-    ("clamped", "fixed"),
-    ("clamp", "fixed"),
-    ("encastre", "fixed"),
-    ("built_in", "fixed"),
-    ("hinged", "pinned"),
-    ("hinge", "pinned"),
-    ("simply_supported", "pinned"),
-    ("simple", "pinned"),
-    ("sliding", "guided"),
-    ("slider", "guided"),
-];
-
-/// The support that a word means elsewhere.
-pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
-    OTHER_NAMES.iter().find(|(name, _)| *name == word).map(|(_, support)| *support)
-}
-
-/// What elements are called elsewhere, and the keywords that are meant: of a model those that it has.
-const OTHER_ELEMENTS: &[(&str, &[&str])] = &[
-    ("bernoulli_beam", &["beam"]),
-    ("cable", &[STRING, "beam"]),
-    ("column", &["beam"]),
-    ("corner", &[CONNECTION]),
-    ("dashpot", &["damper"]),
-    ("euler_beam", &["beam"]),
-    ("joint", &[CONNECTION]),
-    ("link", &["rigid_link"]),
-    ("node", &[CONNECTION]),
-    ("rope", &[STRING]),
-    ("shock_absorber", &["damper"]),
-    ("truss", &[BAR, "rod"]),
-    ("wire", &[STRING]),
-];
-
-/// The keyword, among some, that a word means elsewhere.
-pub(crate) fn meant_element(word: &str, keywords: &[&str]) -> Option<&'static str> {
-    let (_, meant) = OTHER_ELEMENTS.iter().find(|(name, _)| *name == word)?;
-    meant.iter().copied().find(|name| *name == CONNECTION || keywords.contains(name))
-}
 
 /// The word in front of parameters that elements share.
 pub(crate) const SECTION: &str = "section";

@@ -103,6 +103,6 @@ macro_rules! asked_in_space {
 }
 
 pub(crate) use asked;
-pub(crate) use {asked_along_x, asked_along_y, asked_in_space};
 #[cfg(feature = "std")]
 pub(crate) use asked_in_plane;
+pub(crate) use {asked_along_x, asked_along_y, asked_in_space};

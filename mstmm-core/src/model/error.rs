@@ -74,7 +74,9 @@ impl fmt::Display for Requirement {
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
             Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),
-            Requirement::Orientation => write!(f, "at an angle to the member: name `up`, a vector that becomes its z axis"),
+            Requirement::Orientation => {
+                write!(f, "at an angle to the member: name `up`, a vector that becomes its z axis")
+            }
         }
     }
 }
@@ -111,7 +113,11 @@ impl fmt::Display for InvalidParameter {
                 write!(f, "{parameter} has the least moment {}, but must be {requirement}", Readable(*value))
             }
             Requirement::Orientation => {
-                write!(f, "{parameter} is along the member, with the sine {}, but must be {requirement}", Readable(*value))
+                write!(
+                    f,
+                    "{parameter} is along the member, with the sine {}, but must be {requirement}",
+                    Readable(*value)
+                )
             }
             _ => write!(f, "{parameter} is {}, but must be {requirement}", Readable(*value)),
         }

@@ -34,7 +34,9 @@ fn parameters(element: &Element, word: &OldWord, known: &[Vec<&'static str>; 2])
         let text = match &parameter.section {
             Some(section) => Some(format!("..{section}")),
             // what the word has elsewhere means nothing here; what it has nowhere is a slip, of which the new word speaks
-            None => word.parameter(&old, &value).filter(|_| is_here(&new) || !has_somewhere(word.new, &new)),
+            None => word
+                .parameter(&old, &value)
+                .filter(|_| is_here(&new) || new != "length" && !has_somewhere(word.new, &new)),
         };
         written.extend(text.filter(|text| !written.contains(text)));
         named.push(new);

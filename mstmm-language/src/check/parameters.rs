@@ -4,7 +4,10 @@ use super::listed;
 use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
-use crate::keywords::{AXIAL_STIFFNESS, DAMPING, Dimension, STRING, has_somewhere, nearest, renamed_in};
+use crate::keywords::{
+    AXIAL_STIFFNESS, BAR, DAMPING, Dimension, Meant, PAIRS, STRING, has_somewhere, in_space, meant_parameter, nearest,
+    renamed_in,
+};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 
@@ -38,16 +41,7 @@ pub(super) fn parameters(element: &Element, known: Option<&[Vec<&'static str>; 2
     }
     // what a section that is not there may have is not missed
     if !missing.is_empty() && element.spread.is_empty() {
-        let reason = match element.known() {
-            Some(row) if row.stretches() && missing.contains(&AXIAL_STIFFNESS) => {
-                if row.name == STRING {
-                    BETWEEN_PLACES
-                } else {
-                    IN_PLANE
-                }
-            }
-            _ => "",
-        };
+        let reason = why_missing(element, &missing);
         errors.push(element.place(), format!("`{element}` lacks {}{reason}", listed(missing)));
     }
 }
@@ -67,13 +61,21 @@ fn instead_of(
     if keyword == STRING && name == AXIAL_STIFFNESS && element.gives("length") {
         return ALONG_ITS_PATH.to_owned();
     }
+    if keyword == BAR && TORSION.contains(&name.as_str()) {
+        return "both ends of a bar turn freely, so nothing twists it: remove it, or take `beam`".to_owned();
+    }
     // of a length between places a message of its own speaks
-    if has_somewhere(&keyword, &name) && name != "length" {
-        let other = if element.dimension == Dimension::Line { "in the plane" } else { "along a line" };
+    if let Some(other) = elsewhere(element, &name) {
         return format!("it has that {other} alone, so remove it");
     }
     if !renamed.is_empty() {
         return format!("write `{}`", renamed.join("` or `"));
+    }
+    let all: Vec<&'static str> = required.iter().chain(optional).copied().collect();
+    if parameter.section.is_none()
+        && let Some(meant) = meant_parameter(&name, &all)
+    {
+        return by_other_name(meant, &all, missing);
     }
     // a string that names a length is a path of one motion
     let is_between_places = element.located().is_some_and(|row| row.name == STRING) && !element.gives("length");
@@ -87,7 +89,68 @@ fn instead_of(
             missing.retain(|other| *other != meant && !(meant == "length" && *other == AXIAL_STIFFNESS));
             format!("did you mean `{meant}`?")
         }
-        None => format!("it has {}", listed(required.iter().chain(optional).copied())),
+        None => all_of(&all),
+    }
+}
+
+/// Advice for a parameter by its name elsewhere.
+fn by_other_name(meant: Meant, all: &[&'static str], missing: &mut Vec<&'static str>) -> String {
+    match meant {
+        Meant::Same(names) => {
+            let meant = names.iter().find(|name| all.contains(name)).copied().unwrap_or_default();
+            missing.retain(|other| !names.contains(other));
+            format!("did you mean `{meant}`?")
+        }
+        Meant::Factor(products) => {
+            let is_meant = |name: &str| products.iter().any(|(product, _)| *product == name);
+            let is_plane_meant =
+                |name: &str| PAIRS.iter().any(|pair| pair.both == name && pair.planes.into_iter().any(is_meant));
+            missing.retain(|name| !is_meant(name) && !is_plane_meant(name));
+            let here = products.iter().filter(|(name, _)| all.contains(name));
+            let products: Vec<String> = here.map(|(name, product)| format!("`{name}: {product}`")).collect();
+            format!("it takes products, {}", products.join(" and "))
+        }
+    }
+}
+
+/// What an element has; of a parameter of both planes the name for both.
+fn all_of(all: &[&'static str]) -> String {
+    if all.is_empty() {
+        return "it has none, so remove it".to_owned();
+    }
+    let is_of_one_plane = |name: &&str| PAIRS.iter().any(|pair| pair.planes.contains(name) && all.contains(&pair.both));
+    let of_one_plane = all.iter().copied().find(is_of_one_plane);
+    let list = listed(all.iter().copied().filter(|name| !is_of_one_plane(name)));
+    let planes = of_one_plane.map_or_else(String::new, |name| format!("; some for one plane alone, such as `{name}`"));
+    format!("it has {list}{planes}")
+}
+
+/// Where else an element has a parameter that it has not here.
+fn elsewhere(element: &Element, name: &str) -> Option<&'static str> {
+    let keyword = element.kind.name().to_string();
+    let is_of_one_plane = PAIRS.iter().any(|pair| pair.planes.contains(&name));
+    let is_in_space = in_space(&keyword).is_some_and(|row| row.parameters().concat().contains(&name));
+    if name == "length" || is_of_one_plane {
+        return None;
+    }
+    if has_somewhere(&keyword, name) {
+        return Some(if element.dimension == Dimension::Line { "in the plane" } else { "along a line" });
+    }
+    is_in_space.then_some("in space")
+}
+
+/// Why an element needs what it lacks, where that is not plain.
+fn why_missing(element: &Element, missing: &[&str]) -> &'static str {
+    let Some(row) = element.known() else { return "" };
+    let is_in_space = element.dimension == Dimension::Space;
+    match row.name {
+        "beam" if is_in_space => IN_SPACE,
+        "rod" if is_in_space && missing == ["length"] => ": between two places take `bar`",
+        "shaft" if is_in_space && missing == ["length"] => ": between two places take `beam`",
+        BAR if missing.contains(&"bending_stiffness") => BETWEEN_ITS_ENDS,
+        STRING if row.stretches() && missing.contains(&AXIAL_STIFFNESS) => BETWEEN_PLACES,
+        _ if row.stretches() && missing.contains(&AXIAL_STIFFNESS) => IN_PLANE,
+        _ => "",
     }
 }
 
@@ -117,6 +180,12 @@ const ALONG_ITS_PATH: &str = "with `length` it is a path of one motion and does 
 
 /// What a string between two places needs, and what one of a path has instead.
 const BETWEEN_PLACES: &str = ": between places a string stretches, too; one of a path of one motion names its `length`";
+/// Why a bar has a bending stiffness.
+const BETWEEN_ITS_ENDS: &str = ": it has its mass along it, so it bends between its ends";
+/// Why a beam needs more in space.
+const IN_SPACE: &str = ": a beam in space stretches, turns about its axis and bends both ways; for a bar, `bar`";
+/// What a bar has not.
+const TORSION: [&str; 2] = ["torsional_stiffness", "polar_inertia_per_length"];
 /// Why a beam needs more in the plane.
 const IN_PLANE: &str = ": in the plane a beam stretches, too; a large number is one that hardly does";
 

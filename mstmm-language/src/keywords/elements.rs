@@ -145,7 +145,7 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
 }
 
 /// A beam of the plane with pins at its ends. It stands between places alone.
-pub(super) const BAR: &str = "bar";
+pub(crate) const BAR: &str = "bar";
 
 #[rustfmt::skip]
 const BEAMS: &[TypeRow] = &[

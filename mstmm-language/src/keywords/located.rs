@@ -85,7 +85,9 @@ impl LocatedKeyword {
         if let Some(own) = self.own {
             return [own.to_vec(), Vec::new()];
         }
-        if dimension == Dimension::Space && let Some(row) = in_space(self.name) {
+        if dimension == Dimension::Space
+            && let Some(row) = in_space(self.name)
+        {
             return row.parameters();
         }
         // a path of one motion is the same in the plane

@@ -90,7 +90,9 @@ fn parts_behind(keyword: &Ident) -> &'static str {
 /// Where the word of a direction stands, if a node cannot begin with it.
 pub(super) fn stands_elsewhere(word: &Ident) -> Option<String> {
     if word == NORMAL {
-        return Some("`normal` stands behind a support, `roller at (x, y) normal (nx, ny)`: remove the arrow between".to_owned());
+        return Some(
+            "`normal` stands behind a support, `roller at (x, y) normal (nx, ny)`: remove the arrow between".to_owned(),
+        );
     }
     let is_of_path = word == ALONG || word == ABOUT;
     is_of_path.then(|| stands_between(word))

@@ -155,6 +155,7 @@ const _: () = {
         > = mstmm::__private::MemberLabel::member(1usize);
     }
     const SKETCH: mstmm::__private::NetworkSketch<3usize, 2usize> = mstmm::__private::NetworkSketch {
+        is_in_space: false,
         places: &["fixed at beam 1", "conn top", "conn anchor"],
         directions: &[],
         bodies: &[
@@ -191,7 +192,7 @@ const _: () = {
                 point: 0usize,
                 node: 0usize,
                 held: mstmm::__private::Freedoms::PLANE,
-                along: ::core::option::Option::None,
+                skew: ::core::option::Option::None,
             },
             mstmm::__private::SketchedSupport {
                 name: "fixed at conn anchor",
@@ -200,7 +201,7 @@ const _: () = {
                 held: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X)
                     .union(mstmm::__private::Freedoms::Y),
-                along: ::core::option::Option::None,
+                skew: ::core::option::Option::None,
             },
         ],
         nodes: [
@@ -208,13 +209,13 @@ const _: () = {
                 place: ::core::option::Option::Some(0usize),
                 freedoms: mstmm::__private::Freedoms::PLANE,
                 held: mstmm::__private::Freedoms::PLANE,
-                along: ::core::option::Option::None,
+                skew: ::core::option::Option::None,
             },
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(1usize),
                 freedoms: mstmm::__private::Freedoms::PLANE,
                 held: mstmm::__private::Freedoms::NONE,
-                along: ::core::option::Option::None,
+                skew: ::core::option::Option::None,
             },
             mstmm::__private::SketchedNode {
                 place: ::core::option::Option::Some(2usize),
@@ -222,7 +223,7 @@ const _: () = {
                     .union(mstmm::__private::Freedoms::X)
                     .union(mstmm::__private::Freedoms::Y),
                 held: mstmm::__private::Freedoms::PLANE,
-                along: ::core::option::Option::None,
+                skew: ::core::option::Option::None,
             },
         ],
         members: [
@@ -231,6 +232,8 @@ const _: () = {
                 kind: ::core::option::Option::Some("Beam"),
                 freedoms: mstmm::__private::Freedoms::PLANE,
                 released: mstmm::__private::Freedoms::NONE,
+                plane: mstmm::__private::SketchedPlane::Structure,
+                is_further: false,
                 ends: [
                     mstmm::__private::SketchedEnd {
                         seat: mstmm::__private::Seat::Point(0usize),
@@ -248,6 +251,8 @@ const _: () = {
                 freedoms: mstmm::__private::Freedoms::NONE
                     .union(mstmm::__private::Freedoms::X),
                 released: mstmm::__private::Freedoms::NONE,
+                plane: mstmm::__private::SketchedPlane::Structure,
+                is_further: false,
                 ends: [
                     mstmm::__private::SketchedEnd {
                         seat: mstmm::__private::Seat::Point(1usize),

@@ -1,7 +1,7 @@
 //! A portal with a braced side, joints, a machine on a mount, springs along and about directions.
 
-use mstmm::elements::Spring;
 use super::{assert_near, proven};
+use mstmm::elements::Spring;
 use mstmm::frame::{Bar, Frame, Ground, Hinge, RigidBody, Roller, Section, Space, Tensor, Tie};
 use mstmm::network::Support;
 use mstmm::prelude::*;

@@ -79,7 +79,7 @@ fn up() {
 }
 
 arch! { Turning(l): fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.5, 0.25) -> revolute_joint 2 { axis: (1.0, 2.0, 0.0) }
-    -> beam 3 { ..steel } -> fixed at (3.0, 3.0, 3.0); }
+-> beam 3 { ..steel } -> fixed at (3.0, 3.0, 3.0); }
 
 #[test]
 fn a_revolute_joint() {
@@ -92,7 +92,7 @@ fn a_revolute_joint() {
 }
 
 arch! { Bracing(l): fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.5, 0.25)
-    -> bar 3 { axial_stiffness: 900.0, bending_stiffness_y: 2.0, bending_stiffness_z: 5.0, mass_per_length: 1.5 } -> pinned at (3.0, 3.0, 3.0); }
+-> bar 3 { axial_stiffness: 900.0, bending_stiffness_y: 2.0, bending_stiffness_z: 5.0, mass_per_length: 1.5 } -> pinned at (3.0, 3.0, 3.0); }
 
 #[test]
 fn a_bar() {
@@ -105,8 +105,8 @@ fn a_bar() {
 }
 
 arch! { OnMount(l): fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.5, 0.25)
-    -> hinge 2 { stiffness_x: 1.0, stiffness_y: 2.0, stiffness_z: 3.0, stiffness_rx: 4.0, stiffness_ry: 5.0, stiffness_rz: 6.0 }
-    -> rigid_body 3 { mass: 2.0, inertia: (3.0, 4.0, 5.0, 0.1, 0.0, -0.2), centre: (l, 0.5, 1.0) }; }
+-> hinge 2 { stiffness_x: 1.0, stiffness_y: 2.0, stiffness_z: 3.0, stiffness_rx: 4.0, stiffness_ry: 5.0, stiffness_rz: 6.0 }
+-> rigid_body 3 { mass: 2.0, inertia: (3.0, 4.0, 5.0, 0.1, 0.0, -0.2), centre: (l, 0.5, 1.0) }; }
 
 #[test]
 fn a_body_on_a_mount() {
@@ -155,7 +155,7 @@ mounted! {
 }
 
 arch! { Bodied(l): fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.5, 0.25)
-    -> rigid_body 3 { mass: 2.0, inertia: (3.0, 4.0, 5.0, 0.1, 0.0, -0.2), centre: (l, 0.5, 1.0) }; }
+-> rigid_body 3 { mass: 2.0, inertia: (3.0, 4.0, 5.0, 0.1, 0.0, -0.2), centre: (l, 0.5, 1.0) }; }
 
 #[test]
 fn a_body() {

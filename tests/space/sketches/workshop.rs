@@ -122,7 +122,8 @@ fn all_is_proven() {
     let found = proven::<20, _>(&WORKSHOP.build().unwrap());
     assert!(found.windows(2).all(|pair| pair[0] <= pair[1]));
     let precise = WORKSHOP.build_as::<DoubleDouble>().unwrap().first_frequencies::<20>().unwrap();
-    let often = |own: &NaturalFrequency<DoubleDouble>| std::iter::repeat_n(own.omega.to_f64(), own.multiplicity as usize);
+    let often =
+        |own: &NaturalFrequency<DoubleDouble>| std::iter::repeat_n(own.omega.to_f64(), own.multiplicity as usize);
     let precise: Vec<_> = precise.iter().flat_map(often).collect();
     assert_near(&found, &precise, 1e-14);
 }
@@ -149,9 +150,8 @@ fn what_acts_and_what_holds_are_in_balance() {
     ];
     for (load, mut sum) in loads {
         let at_rest = |entry| system.frequency_response(load, entry).unwrap().at(0.0).unwrap();
-        let reactions = supports.map(|(point, place)| {
-            (place, [point.reaction_x(), point.reaction_y(), point.reaction_z()].map(at_rest))
-        });
+        let reactions = supports
+            .map(|(point, place)| (place, [point.reaction_x(), point.reaction_y(), point.reaction_z()].map(at_rest)));
         let turning = [ground.reaction_torque_x(), ground.reaction_torque_y(), ground.reaction_torque_z()].map(at_rest);
         for k in 0..3 {
             sum[0][k] += reactions.iter().map(|(_, force)| force[k]).sum::<f64>();

@@ -90,7 +90,8 @@ fn add_member<Y, S, const NODES: usize, const MEMBERS: usize>(
             Axis::FromTo(from, to) => geometry.move_vector(Some(from), Some(to), slopes),
             Axis::Along(direction) => geometry.add(geometry.places.of_direction(direction), slopes),
         }
-        if let SketchedPlane::First(SketchedUp::Named(up)) | SketchedPlane::Second(SketchedUp::Named(up)) = sketched.plane
+        if let SketchedPlane::First(SketchedUp::Named(up)) | SketchedPlane::Second(SketchedUp::Named(up)) =
+            sketched.plane
             && let Some(Raised { y_axis, across, .. }) = raised(&axes, &placement.plane())
         {
             let slopes = times(y_axis, -(dot(turn, axes.along) / across));
@@ -198,5 +199,8 @@ fn add_bodies<Y, S, const NODES: usize, const MEMBERS: usize>(
 pub(crate) fn body_slopes<S: Scalar>(square: S, centre: Six<S>) -> (S, [S; 6]) {
     let half = S::from_f64(0.5) * square;
     let (moved, [x, y, z]) = (displacements(centre), rotations(centre));
-    (half * dot(moved, moved), [half * x * x, half * y * y, half * z * z, square * x * y, square * y * z, square * z * x])
+    (
+        half * dot(moved, moved),
+        [half * x * x, half * y * y, half * z * z, square * x * y, square * y * z, square * z * x],
+    )
 }

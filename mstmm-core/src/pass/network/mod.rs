@@ -45,9 +45,9 @@ pub use memory::{Arrays, Memory};
 pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_on_node};
 pub use motions::Motions;
 pub use node::Node;
-pub(crate) use numbers::NumberPlaces;
 #[cfg(feature = "std")]
 pub(crate) use node::flat;
+pub(crate) use numbers::NumberPlaces;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;

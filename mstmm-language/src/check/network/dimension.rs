@@ -3,12 +3,17 @@
 use crate::ast::{Coordinates, Model, Node};
 use crate::diagnostics::Errors;
 use crate::keywords::Dimension;
+use syn::Expr;
 
 /// Finds the dimension, and reports places and directions that do not fit it.
 ///
 /// The first place decides. Where none has a number of coordinates that there is, which is an error, it is the plane.
 pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> Dimension {
     let places: Vec<(String, &Coordinates)> = model.nodes().filter_map(named_place).collect();
+    let (arrays, places): (Vec<_>, Vec<_>) = places.into_iter().partition(|(_, place)| is_array(place));
+    for (_, place) in &arrays {
+        errors.push(place.value, "a place is a tuple, in parentheses: `at (x, y)` or `at (x, y, z)`");
+    }
     for (_, place) in &places {
         if place.is_tuple && !matches!(place.parts.len(), 2 | 3) {
             errors.push(place.value, wrong_number(place.parts.len()));
@@ -73,4 +78,9 @@ pub(super) fn direction(direction: &Coordinates, dimension: Dimension, errors: &
         let message = format!("a direction {of} has {count} parts, `{} {form}`", direction.keyword);
         errors.push(direction.value, message);
     }
+}
+
+/// Whether a place is written in brackets.
+fn is_array(place: &Coordinates) -> bool {
+    matches!(place.parts.as_slice(), [Expr::Array(_)])
 }

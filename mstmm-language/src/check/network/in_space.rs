@@ -16,12 +16,11 @@ pub(super) fn known(element: &Element, [mut required, mut optional]: [Vec<&'stat
     }
     for pair in PAIRS {
         let is_required = required.contains(&pair.both);
-        if is_required && pair.planes.iter().any(|plane| element.gives(plane)) {
+        // of a name for both planes beside one for a single plane a message of its own speaks
+        if is_required && !element.gives(pair.both) && pair.planes.iter().any(|plane| element.gives(plane)) {
             required.retain(|name| *name != pair.both);
             required.extend(pair.planes);
             optional.retain(|name| !pair.planes.contains(name));
-            // of both a message of its own speaks
-            optional.extend(element.gives(pair.both).then_some(pair.both));
         }
     }
     [required, optional]
@@ -34,7 +33,10 @@ pub(super) fn named_twice(element: &Element, errors: &mut Errors) {
         return;
     }
     for pair in PAIRS.iter().filter(|pair| element.gives(pair.both)) {
-        let second = element.parameters().find(|parameter| pair.planes.iter().any(|name| parameter.name.unraw() == name));
+        let second = element
+            .parameters()
+            .filter(|parameter| !parameter.is_told)
+            .find(|parameter| pair.planes.iter().any(|name| parameter.name.unraw() == name));
         if let Some(second) = second {
             let message = format!(
                 "`{element}` gives `{0}` for both planes, and `{1}` for one: remove one of the two",
@@ -59,7 +61,8 @@ pub(super) fn loose_points<'a>(graph: &Graph<'a>, points: &Points, paths: &Paths
             continue;
         }
         let here = paths.all.iter().flat_map(|path| path.contacts.iter().map(move |contact| (path, contact)));
-        let motions: Vec<PathMotion<'_>> = here.filter(|(_, contact)| contact.point == point).map(|(path, _)| path.motion).collect();
+        let motions: Vec<PathMotion<'_>> =
+            here.filter(|(_, contact)| contact.point == point).map(|(path, _)| path.motion).collect();
         if motions.iter().any(|motion| matches!(motion, PathMotion::Of(_))) {
             continue;
         }

@@ -159,6 +159,7 @@ fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
         Role::Joint if row.instead(Dimension::Space).is_none() && row.instead(Dimension::Plane).is_some() => {
             "is a joint of space"
         }
+        _ if row.name == "tapered_beam" && dimension == Dimension::Space => "bends in one plane",
         _ if dimension != Dimension::Line => "does not stretch, so it stands where points have one coordinate",
         _ => "moves in the plane, but points have one coordinate here",
     }
@@ -179,14 +180,17 @@ fn check_parameters(element: &Element, row: &LocatedKeyword, dimension: Dimensio
         }
     }
     if parameters::names_nothing(element) {
-        let joint = if dimension == Dimension::Space { "ball_joint" } else { "pin" };
-        let advice = format!("write `{joint} {} {{}}`, which lets rotations go, or name a stiffness", element.label);
+        let (joint, what) =
+            if dimension == Dimension::Space { ("ball_joint", "rotations") } else { ("pin", "the rotation") };
+        let advice = format!("write `{joint} {} {{}}`, which lets {what} go, or name a stiffness", element.label);
         errors.push(
             element.place(),
             format!("`{element}` names no freedom that gives way, so it would be rigid: {advice}"),
         );
     }
-    for parameter in element.parameters() {
+    let all = row.parameters(dimension).concat();
+    let is_known = |parameter: &Parameter| all.iter().any(|name| parameter.name.unraw() == name);
+    for parameter in element.parameters().filter(|parameter| !parameter.is_told && is_known(parameter)) {
         if let Some(tuple) = row.tuple(&parameter.name.unraw().to_string()) {
             check_tuple(parameter, tuple, dimension, errors);
         }

@@ -57,7 +57,8 @@ pub(super) fn geometry<'s>(skeleton: &'s Skeleton<'_>) -> impl Iterator<Item = O
     let vectors = places.map(|place| &place.parts).chain(directions.map(|direction| &direction.parts));
     let bodies = skeleton.bodies.iter().flat_map(move |body| {
         let mass = named(body.element, "mass").map(Number::Parameter);
-        let inertia = if is_in_space { entries(body) } else { vec![named(body.element, "inertia").map(Number::Parameter)] };
+        let inertia =
+            if is_in_space { entries(body) } else { vec![named(body.element, "inertia").map(Number::Parameter)] };
         [mass].into_iter().chain(inertia).chain(vector(&body.centre))
     });
     vectors.flat_map(move |parts| vector(parts)).chain(bodies)

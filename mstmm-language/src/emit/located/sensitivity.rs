@@ -109,7 +109,8 @@ fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: 
         What::Hinge(_) => field_of_joint(name).to_token_stream(),
         What::Element(_) | What::Rigid => names.field_of(element, name),
     };
-    let (parameters, values): (Vec<_>, Vec<_>) = parameters.iter().map(|(name, value)| (field_of(name), *value)).unzip();
+    let (parameters, values): (Vec<_>, Vec<_>) =
+        parameters.iter().map(|(name, value)| (field_of(name), *value)).unzip();
     let order = (0..values.len()).map(Index::from);
     let length = element.has_length_of_places().then(|| {
         let length = names.field_of(element, &Ident::new("length", names.here));

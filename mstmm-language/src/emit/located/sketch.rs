@@ -1,8 +1,8 @@
 //! Emits the skeleton as a constant, and the order of its nodes.
 
 use super::super::Names;
-use crate::network::FreedomSet;
 use crate::keywords::{Dimension, ROTATIONS};
+use crate::network::FreedomSet;
 use crate::skeleton::{Axis, Direction, End, Member, Node, Plane, Point, Seat, Skeleton, Skew, Support, Up};
 use mstmm_plan::Freedoms;
 use proc_macro2::TokenStream;

@@ -107,7 +107,7 @@ fn held_names_freedoms() {
         conn a <- held { x };
                   ^^^^ `held` names in parentheses what it holds, such as `held(x, rz)`
         conn a <- held(1);
-                       ^ expected a freedom, `x`, `y` or `rz`
+                       ^ expected a freedom, such as `x`, `y` or `rz`
         conn a <- held(x y);
                          ^ expected `,` between freedoms
         ",

@@ -3,6 +3,7 @@
 mod accepted;
 mod contacts;
 mod grammar;
+mod in_space;
 mod joints;
 mod own;
 mod places;

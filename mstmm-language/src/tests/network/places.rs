@@ -28,29 +28,20 @@ fn all_points_have_equally_many_coordinates() {
 }
 
 #[test]
-fn a_place_has_one_or_two_coordinates() {
-    assert_refused(
-        "
-        struct M { l: f64 }
-        fixed at (0.0, 0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                 ^^^^^^^^^^^^^^^ space is not supported yet: a model has places with one coordinate, or with
-                 | two, `at (x, y)`
-            -> conn a at (l, 0.0, 0.0);
-        ",
-    );
+fn a_place_has_one_to_three_coordinates() {
     assert_refused(
         "
         struct M { l: f64 }
         fixed at (0.0,) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-                 ^^^^^^ a tuple of one is no place: a point of the plane has two, `at (x, y)`, and one
-                 | coordinate is written without parentheses, `at x`
+                 ^^^^^^ a tuple of one is no place: a point has two coordinates, `at (x, y)`, or three, `at
+                 | (x, y, z)`; one is written without parentheses, `at x`
             -> conn a at (l, 0.0, 0.0, l) -> beam 2
-                         ^^^^^^^^^^^^^^^^ a tuple of four is no place: a point of the plane has two, `at (x,
-                         | y)`, and one coordinate is written without parentheses, `at x`
+                         ^^^^^^^^^^^^^^^^ a tuple of four is no place: a point has two coordinates, `at (x,
+                         | y)`, or three, `at (x, y, z)`; one is written without parentheses, `at x`
             { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> fixed at ();
-                        ^^ a tuple of none is no place: a point of the plane has two, `at (x, y)`, and one
-                        | coordinate is written without parentheses, `at x`
+                        ^^ a tuple of none is no place: a point has two coordinates, `at (x, y)`, or three,
+                        | `at (x, y, z)`; one is written without parentheses, `at x`
         ",
     );
 }
