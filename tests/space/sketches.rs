@@ -1,8 +1,8 @@
 //! Sketches in space beside frames that the program describes.
 #![expect(clippy::unwrap_used, reason = "a structure that cannot be built fails the test")]
 
+mod one_thing;
 mod portal;
-mod small;
 mod workshop;
 
 use mstmm::prelude::*;

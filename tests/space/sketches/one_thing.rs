@@ -1,4 +1,4 @@
-//! Small models of one thing each.
+//! Small models of one thing each, beside frames.
 
 use super::{assert_near, proven};
 use mstmm::elements::Spring;
@@ -145,13 +145,13 @@ macro_rules! mounted {
 }
 
 mounted! {
-    HX, hx, stiffness_x;
-    HY, hy, stiffness_y;
-    HZ, hz, stiffness_z;
-    HRX, hrx, stiffness_rx;
-    HRY, hry, stiffness_ry;
-    HRZ, hrz, stiffness_rz;
-    HALL, hall, stiffness_x, stiffness_y, stiffness_z, stiffness_rx, stiffness_ry, stiffness_rz;
+    FlexibleX, a_hinge_along_x, stiffness_x;
+    FlexibleY, a_hinge_along_y, stiffness_y;
+    FlexibleZ, a_hinge_along_z, stiffness_z;
+    FlexibleRx, a_hinge_about_x, stiffness_rx;
+    FlexibleRy, a_hinge_about_y, stiffness_ry;
+    FlexibleRz, a_hinge_about_z, stiffness_rz;
+    Flexible, a_hinge_of_six, stiffness_x, stiffness_y, stiffness_z, stiffness_rx, stiffness_ry, stiffness_rz;
 }
 
 arch! { Bodied(l): fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.5, 0.25)
@@ -184,12 +184,12 @@ macro_rules! jointed {
 }
 
 jointed! {
-    JB, jb, { ball_joint 2 {} }, [1.0, 0.0, 0.0], Tie::ball();
-    JU, ju, { universal_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::universal();
-    JP, jp, { prismatic_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::prismatic();
-    JC, jc, { cylindrical_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::cylindrical();
-    JH, jh, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_x: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_x(1.0);
-    JI, ji, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rx: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rx(1.0);
-    JJ, jj, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rx: 0.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rx(0.0);
-    JK, jk, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rz: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rz(1.0);
+    Ball, a_ball_joint, { ball_joint 2 {} }, [1.0, 0.0, 0.0], Tie::ball();
+    Universal, a_universal_joint, { universal_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::universal();
+    Prismatic, a_prismatic_joint, { prismatic_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::prismatic();
+    Cylindrical, a_cylindrical_joint, { cylindrical_joint 2 { axis: (1.0, 1.0, 2.0) } }, [1.0, 1.0, 2.0], Tie::cylindrical();
+    SkewX, a_skew_hinge_along_x, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_x: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_x(1.0);
+    SkewRx, a_skew_hinge_about_x, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rx: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rx(1.0);
+    LooseRx, a_skew_hinge_that_lets_go, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rx: 0.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rx(0.0);
+    SkewRz, a_skew_hinge_about_z, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rz: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rz(1.0);
 }
