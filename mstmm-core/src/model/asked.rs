@@ -57,6 +57,7 @@ macro_rules! asked_along_x {
 }
 
 /// What points of the plane and of lines were asked by other names.
+#[cfg(feature = "std")]
 macro_rules! asked_in_plane {
     ([$($generics:tt)*] $type:ty, $model:ty) => {
         $crate::model::asked::asked! {

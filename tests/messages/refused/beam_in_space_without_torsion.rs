@@ -3,7 +3,6 @@ use mstmm::prelude::*;
 system! {
     struct M { l: f64 }
     fixed at (0.0, 0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
-//           ^^^^^^^^^^^^^^^ a model has places with one coordinate, or with two, `at (x, y)`
         -> conn a at (l, 0.0, 0.0);
 }
 
