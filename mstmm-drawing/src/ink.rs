@@ -16,6 +16,11 @@ pub(crate) enum Pen {
     Hollow,
     Ground,
     Hatch,
+    /// The ground below a support in space.
+    Base,
+    /// Paper around a line, and around a thick one.
+    Halo,
+    WideHalo,
 }
 
 impl Pen {
@@ -32,6 +37,9 @@ impl Pen {
             Pen::Hollow => "hollow",
             Pen::Ground => "ground",
             Pen::Hatch => "hatch",
+            Pen::Base => "base",
+            Pen::Halo => "halo",
+            Pen::WideHalo => "halo wide",
         }
     }
 }

@@ -22,14 +22,17 @@ impl Pose {
 
     /// The model in a motion, given a number by which displacements are multiplied before their real parts are drawn.
     pub(crate) fn moved<M>(figure: &Figure<M>, motion: &Motion, by: Number) -> Self {
-        let moved = |at: Vector, [x, y]: [Number; 2]| plus(at, [(x * by).re, -(y * by).re], 1.0);
+        let moved = |at: Vector, displacement: [Number; 3]| {
+            let [x, y] = figure.sight.seen(displacement);
+            plus(at, [(x * by).re, -(y * by).re], 1.0)
+        };
         let anchors = figure.anchors.iter().zip(&motion.anchors);
         let curves = figure.parts.iter().zip(&motion.curves).map(|(part, curve)| {
             let [from, to] = [part.ends[0], part.ends[1]].map(|end| figure.anchors[end].at);
             curve.iter().map(|(part, displacement)| moved(between(from, to, *part), *displacement)).collect()
         });
         Pose {
-            anchors: anchors.map(|(anchor, [x, y, _])| moved(anchor.at, [*x, *y])).collect(),
+            anchors: anchors.map(|(anchor, displacement)| moved(anchor.at, *displacement)).collect(),
             curves: curves.collect(),
         }
     }
@@ -39,6 +42,6 @@ impl Pose {
         let ends = &figure.parts[part].ends;
         let rest: Vec<Vector> = ends.iter().map(|end| figure.anchors[*end].at).collect();
         let now: Vec<Vector> = ends.iter().map(|end| self.anchors[*end]).collect();
-        inks(figure.parts[part].kind, &rest, &now, &self.curves[part])
+        inks(figure.parts[part].kind, &figure.sight, &rest, (&now, &self.curves[part]))
     }
 }

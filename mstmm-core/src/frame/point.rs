@@ -40,6 +40,12 @@ impl<D> Point<D> {
     }
 }
 
+impl<D> From<Point<D>> for PlanePoint<InFrame> {
+    fn from(point: Point<D>) -> Self {
+        point.label()
+    }
+}
+
 /// What is asked about a point and what acts on it, as far as it has the motion: by the place of that among the freedoms.
 macro_rules! asked {
     ($type:ty: $($(#[$doc:meta])* $name:ident -> $kind:ident = $of:ident($place:literal);)*) => {

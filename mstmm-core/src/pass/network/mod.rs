@@ -45,8 +45,6 @@ pub use memory::{Arrays, Memory};
 pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_on_node};
 pub use motions::Motions;
 pub use node::Node;
-#[cfg(feature = "std")]
-pub(crate) use node::flat;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;
