@@ -10,7 +10,7 @@ use crate::solid::Solid;
 use crate::spatial_kind::{grip, is_bar, kind_of, release};
 use crate::vector3::{Vector3, direction3, length3, plus3, times};
 use crate::view::{Sight, View};
-use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnMember, Freedoms, Parameter, Real, Sketch};
+use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnMember, Freedoms, Parameter, Real, Sketch, Skew};
 
 /// Distance on the paper from a node of the symbol of what an end does not share with it.
 const BESIDE: f64 = 9.0;
@@ -202,7 +202,10 @@ impl<M> Builder<M> {
 
     fn add_supports<Y: Drawn<Model = M>>(&mut self, sketch: &Sketch<'_, Y>) {
         for support in sketch.supports() {
-            let skew = support.skew.map(|skew| skew.map(Parameter::to_f64));
+            let skew = support.skew.map(|skew| match skew {
+                Skew::Along(direction) => Skew::Along(plain(direction)),
+                Skew::Normal(direction) => Skew::Normal(plain(direction)),
+            });
             let away = self.away_from_parts(support.point);
             if let Some(grip) = grip(support.held, skew, away) {
                 let (name, anchor) = (support.name.to_string(), support.point);

@@ -24,6 +24,11 @@ pub(crate) enum Pen {
 }
 
 impl Pen {
+    /// Whether it draws in the colour of the paper alone.
+    pub(crate) fn is_halo(self) -> bool {
+        matches!(self, Pen::Halo | Pen::WideHalo)
+    }
+
     pub(crate) fn class(self) -> &'static str {
         match self {
             Pen::Beam => "beam",

@@ -76,6 +76,21 @@ impl Kind {
         matches!(self, Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Solid(_)) && !self.is_body()
     }
 
+    /// Whether it is drawn by a line along it first.
+    pub(crate) fn is_line(self) -> bool {
+        matches!(
+            self,
+            Kind::Beam { .. }
+                | Kind::Bar
+                | Kind::Rod
+                | Kind::Shaft
+                | Kind::Line
+                | Kind::Lever
+                | Kind::Tie
+                | Kind::Other
+        )
+    }
+
     /// Whether it has no extent along its path.
     pub(crate) fn is_at_a_point(self) -> bool {
         matches!(

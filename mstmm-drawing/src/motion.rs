@@ -75,11 +75,7 @@ impl Motion {
 
 /// The motion of a place that another one ties rigidly.
 fn tied([x, y, z, about_x, about_y, about_z]: [Number; 6], [u, v, w]: [f64; 3]) -> [Number; 6] {
-    let moved = [
-        x + (about_y * w - about_z * v),
-        y + (about_z * u - about_x * w),
-        z + (about_x * v - about_y * u),
-    ];
+    let moved = [x + (about_y * w - about_z * v), y + (about_z * u - about_x * w), z + (about_x * v - about_y * u)];
     [moved[0], moved[1], moved[2], about_x, about_y, about_z]
 }
 

@@ -6,6 +6,10 @@ use crate::motion::Motion;
 use crate::shape::Number;
 use crate::symbols::inks;
 use crate::vector::{Vector, between, plus};
+use std::f64::consts::TAU;
+
+/// Moments of a motion whose parts are out of phase, between which it is drawn straight.
+const MOMENTS: u32 = 16;
 
 /// The places of all anchors, and the lines of all parts.
 pub(crate) struct Pose {
@@ -35,6 +39,18 @@ impl Pose {
             anchors: anchors.map(|(anchor, displacement)| moved(anchor.at, *displacement)).collect(),
             curves: curves.collect(),
         }
+    }
+
+    /// The model at moments of a period of a motion: at both ends of it and back, or, of one whose parts are out of phase, at more.
+    pub(crate) fn moments<M>(figure: &Figure<M>, motion: &Motion, reach: Number) -> Vec<Self> {
+        let count = if motion.is_complex { MOMENTS } else { 2 };
+        let angles = (0..=count).map(|moment| TAU * f64::from(moment) / f64::from(count));
+        angles.map(|angle| Pose::moved(figure, motion, reach * Number::from_polar(1.0, angle))).collect()
+    }
+
+    /// The straight line between two anchors.
+    pub(crate) fn line(&self, ends: [usize; 2]) -> [Vector; 2] {
+        ends.map(|end| self.anchors[end])
     }
 
     /// What is drawn of a part.

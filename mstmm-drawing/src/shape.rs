@@ -73,7 +73,8 @@ where
         let state = PlaneStates::along(self, label, part * length)?;
         Ok(Section {
             displacement: [state.displacement_x, state.displacement_y, state.displacement_z].map(plain),
-            forces: [state.axial_force, state.shear, state.moment, state.shear_z, state.moment_y, state.torque].map(plain),
+            forces: [state.axial_force, state.shear, state.moment, state.shear_z, state.moment_y, state.torque]
+                .map(plain),
         })
     }
 }

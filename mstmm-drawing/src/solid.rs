@@ -37,9 +37,14 @@ pub(crate) enum Held {
     All,
     Displacements,
     /// The displacement along the way to the ground, and all rotations or none.
-    Across { rotations: bool },
+    Across {
+        rotations: bool,
+    },
     /// The displacements but along a direction of length 1, and all rotations or none.
-    Along { direction: Vector3, rotations: bool },
+    Along {
+        direction: Vector3,
+        rotations: bool,
+    },
     Rotations,
 }
 

@@ -50,7 +50,8 @@ fn joint(shared: Freedoms, along: Option<Vector3>, axes: Option<[Vector3; 3]>) -
 /// Whether a beam has ball joints at both ends.
 pub(crate) fn is_bar(kind: Kind, shared: Freedoms, released: [&Freedoms; 2]) -> bool {
     let bends = Freedoms::RY.union(Freedoms::RZ);
-    let is_joined = released.iter().all(|released| released.intersection(Freedoms::SPACE.without(Freedoms::RX)).is(bends));
+    let is_joined =
+        released.iter().all(|released| released.intersection(Freedoms::SPACE.without(Freedoms::RX)).is(bends));
     matches!(kind, Kind::Beam { .. }) && !shared.contains(Freedoms::RX) && is_joined
 }
 

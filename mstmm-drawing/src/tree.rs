@@ -144,7 +144,11 @@ fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize;
         let at = figure.anchors[ends[0]].at;
         let at = [at[0] + figure.scale * centre[0], at[1] - figure.scale * centre[1]];
         ends.push(figure.anchors.len());
-        figure.anchors.push(Anchor { at, moves: Moves::Tied { anchor: ends[0], arm: [centre[0], centre[1], 0.0] }, name: None });
+        figure.anchors.push(Anchor {
+            at,
+            moves: Moves::Tied { anchor: ends[0], arm: [centre[0], centre[1], 0.0] },
+            name: None,
+        });
     }
     let length = extent.output[0];
     let is_long = length > 0.0 && !matches!(kind, Kind::Body | Kind::Lever) && !step.space.contains(Freedoms::X);
