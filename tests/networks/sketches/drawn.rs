@@ -84,11 +84,17 @@ fn a_body_ties_its_ports() {
     assert_eq!((body.mass, body.inertia, body.centre), (4.0, 0.2, Some([1.2, 0.05, 0.0])));
     let ports: Vec<_> =
         system.sketch().points_of(body.node).map(|port| (port.name.to_string(), port.position)).collect();
-    assert_eq!(ports, named(vec![("conn a", [1.0, 0.0, 0.0]), ("conn b", [1.4, 0.3, 0.0]), ("conn c", [1.2, -0.2, 0.0])]));
+    assert_eq!(
+        ports,
+        named(vec![("conn a", [1.0, 0.0, 0.0]), ("conn b", [1.4, 0.3, 0.0]), ("conn c", [1.2, -0.2, 0.0])])
+    );
     let [from, to] = ends(&system, "spring 4");
     // the input of the spring is at the ground, which has no place
     assert_eq!((from.point, from.position, from.along, from.rests), (None, None, None, true));
-    assert_eq!((to.position, to.along, to.rests, to.node), (Some([1.2, -0.2, 0.0]), Some([0.0, 1.0, 0.0]), false, body.node));
+    assert_eq!(
+        (to.position, to.along, to.rests, to.node),
+        (Some([1.2, -0.2, 0.0]), Some([0.0, 1.0, 0.0]), false, body.node)
+    );
 }
 
 #[test]
@@ -129,9 +135,15 @@ fn paths_have_directions_and_a_second_support_is_no_member() {
         vec![("mass 2", "tie"), ("spring 3", "Spring"), ("spring 4", "Spring"), ("torsion_spring 6", "TorsionSpring")];
     assert_eq!(kinds, named(expected));
     let [motion, contact] = ends(&system, "mass 2");
-    assert_eq!((motion.position, contact.position, contact.along), (None, Some([4.0, 0.0, 0.0]), Some([3.0, -4.0, 0.0])));
+    assert_eq!(
+        (motion.position, contact.position, contact.along),
+        (None, Some([4.0, 0.0, 0.0]), Some([3.0, -4.0, 0.0]))
+    );
     let [from, to] = ends(&system, "spring 4");
-    assert_eq!([from.position, to.position, from.along, to.along], [Some([4.0, 2.0, 0.0]), Some([12.0, 2.5, 0.0]), None, None]);
+    assert_eq!(
+        [from.position, to.position, from.along, to.along],
+        [Some([4.0, 2.0, 0.0]), Some([12.0, 2.5, 0.0]), None, None]
+    );
     let [ground, turned] = ends(&system, "torsion_spring 6");
     assert_eq!((ground.point, ground.rests, turned.position, turned.along), (None, true, Some([4.0, 2.0, 0.0]), None));
     let bodies = system.sketch().bodies().map(|body| (body.name.to_string(), (body.mass, body.inertia, body.centre)));
@@ -186,7 +198,8 @@ fn a_list_has_indices_for_names() {
         ends(&system, "member 2").map(|end| (end.along, end.rests)),
         [false, true].map(|rests| (Some([0.0, 2.0, 0.0]), rests))
     );
-    let expected = [("node 0", 0, Freedoms::PLANE, None), ("node 2", 2, Freedoms::RZ, Some(Skew::Along([1.0, 1.0, 0.0])))];
+    let expected =
+        [("node 0", 0, Freedoms::PLANE, None), ("node 2", 2, Freedoms::RZ, Some(Skew::Along([1.0, 1.0, 0.0])))];
     assert_eq!(supports(&system), expected.map(|(name, point, held, along)| (name.to_owned(), point, held, along)));
     let bodies = system.sketch().bodies().map(|body| (body.name.to_string(), (body.mass, body.inertia, body.centre)));
     assert_eq!(bodies.collect::<Vec<_>>(), named(vec![("node 1", (2.0, 0.5, Some([2.25, 0.125, 0.0])))]));
