@@ -7,14 +7,19 @@ use crate::outline::Outline;
 use crate::pose::Pose;
 use crate::scene::Scene;
 use crate::solid::Solid;
-use crate::vector::{Vector, between, distance};
+use crate::supports::directions_at;
+use crate::vector::{Vector, between, direction, distance, dot, plus, turned};
 use crate::write::{POINT, rank};
 
 /// The longest piece of a line, in units of the paper.
 const PIECE: f64 = 26.0;
 
-/// How far from the ends of a line, where others meet it, there is no paper around it.
-const TRIM: f64 = 9.0;
+/// How far from another line its halo begins, and at most from an end, where lines meet at small angles.
+const CLEAR: f64 = 7.0;
+const MOST_TRIM: f64 = 60.0;
+
+/// How far a piece goes on below the next one, so that no paper shows between both.
+const OVERLAP: f64 = 1.0;
 
 /// A piece of a part, or a point.
 pub(crate) struct Piece<'a> {
@@ -97,12 +102,23 @@ struct Room {
     depths: [f64; 2],
     /// Its length on the paper.
     length: f64,
+    /// How far from its ends, where other lines meet it, there is no paper around it.
+    trims: [f64; 2],
 }
 
 impl Room {
     fn of<M>(figure: &Figure<M>, scene: &Scene, ends: [usize; 2]) -> Self {
         let [from, to] = ends.map(|end| figure.anchors[end].at);
-        Room { depths: ends.map(|end| scene.depths[end]), length: distance(from, to) }
+        let way = direction(plus(to, from, -1.0)).unwrap_or_default();
+        let trims = [(from, 1.0), (to, -1.0)].map(|(at, sign)| {
+            let reach = |other: Vector| {
+                let [along, aside] = [sign * dot(way, other), dot(turned(way), other).abs()];
+                // none of itself
+                if along < 0.0 || aside < 1e-3 { CLEAR } else { (CLEAR / aside).min(MOST_TRIM) }
+            };
+            directions_at(figure, at).into_iter().map(reach).fold(CLEAR, f64::max)
+        });
+        Room { depths: ends.map(|end| scene.depths[end]), length: distance(from, to), trims }
     }
 
     /// How near a part of it is.
@@ -118,17 +134,19 @@ impl Room {
     }
 
     /// A piece of one of the lines of a pen, with paper around it.
-    fn piece(&self, ink: &Ink, line: usize, part: [f64; 2]) -> Vec<Ink> {
+    fn piece(&self, ink: &Ink, line: usize, [start, end]: [f64; 2]) -> Vec<Ink> {
         let Outline::Lines(lines) = &ink.outline else { return vec![ink.clone()] };
         let pen = if ink.pen == Pen::Beam { Pen::WideHalo } else { Pen::Halo };
-        let own = Ink::new(ink.pen, Outline::line(cut(&lines[line], part)));
-        self.halo(&lines[line], pen, part).into_iter().chain([own]).collect()
+        let over = if self.length > OVERLAP { OVERLAP / self.length } else { 0.0 };
+        let own = cut(&lines[line], [(start - over).max(0.0), (end + over).min(1.0)]);
+        let halo = self.halo(&lines[line], pen, [start, end]);
+        halo.into_iter().chain([Ink::new(ink.pen, Outline::line(own))]).collect()
     }
 
     /// Paper around a piece, but where other lines meet it.
     fn halo(&self, line: &[Vector], pen: Pen, [start, end]: [f64; 2]) -> Option<Ink> {
-        let trim = TRIM / self.length;
-        let part = [start.max(trim), end.min(1.0 - trim)];
+        let [first, last] = self.trims.map(|trim| trim / self.length);
+        let part = [start.max(first), end.min(1.0 - last)];
         (part[0] < part[1]).then(|| Ink::new(pen, Outline::line(cut(line, part))))
     }
 }

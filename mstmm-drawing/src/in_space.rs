@@ -227,13 +227,12 @@ impl<M> Builder<M> {
 
     /// The figure, with the direction of the motion of each path.
     fn finished(mut self) -> Figure<M> {
-        let turns = |part: &Part<M>| matches!(part.kind, Kind::TorsionSpring | Kind::TorsionDamper | Kind::Shaft);
         for _ in 0..self.scene.loose.len() {
             for (part, along) in self.figure.parts.iter().zip(&self.scene.directions) {
                 let ends = [part.ends[0], part.ends[1]];
                 let of_end = |end| self.scene.loose.iter().position(|loose| loose.anchor == end);
                 let known = ends.iter().filter_map(|end| of_end(*end)).map(|loose| self.scene.ways[loose]);
-                let known = along.or(known.into_iter().find(|way| *way != [0.0; 3])).filter(|_| !turns(part));
+                let known = along.or(known.into_iter().find(|way| *way != [0.0; 3])).filter(|_| !part.kind.turns());
                 for (end, way) in ends.iter().filter_map(|end| Some((of_end(*end)?, known?))) {
                     self.scene.ways[end] = way;
                 }

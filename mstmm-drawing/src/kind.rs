@@ -76,6 +76,11 @@ impl Kind {
         matches!(self, Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Solid(_)) && !self.is_body()
     }
 
+    /// Whether it acts about the axis of its path.
+    pub(crate) fn turns(self) -> bool {
+        matches!(self, Kind::TorsionSpring | Kind::TorsionDamper | Kind::Shaft)
+    }
+
     /// Whether it is drawn by a line along it first.
     pub(crate) fn is_line(self) -> bool {
         matches!(

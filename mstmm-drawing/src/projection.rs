@@ -2,10 +2,11 @@
 
 use crate::anchors::Scale;
 use crate::error::DrawingError;
-use crate::figure::{Figure, Moves};
+use crate::figure::{Figure, Moves, Part};
 use crate::path_places::place_paths;
 use crate::scene::Scene;
-use crate::vector::{Vector, direction, plus};
+use crate::vector::{Vector, direction, plus, turned};
+use crate::vector3::Vector3;
 use crate::view::{Sight, View};
 
 /// The extent of a model on the paper is at least this part of that in space: one that is seen along its only member stays small.
@@ -35,8 +36,12 @@ pub(crate) fn project<M>(figure: &mut Figure<M>, view: View) -> Result<(), Drawi
     }
     // the ground of paths is placed anew
     figure.supports.retain(|support| !support.name.starts_with("ground of"));
-    let directions: Vec<Option<Vector>> =
-        scene.directions.iter().map(|along| along.and_then(|along| on_paper(sight.way(along)))).collect();
+    let direction = |(part, along): (&Part<M>, &Option<Vector3>)| {
+        let way = on_paper(sight.way((*along)?))?;
+        // what turns about an axis stands aside of it
+        Some(if part.kind.turns() { turned(way) } else { way })
+    };
+    let directions: Vec<Option<Vector>> = figure.parts.iter().zip(&scene.directions).map(direction).collect();
     place_paths(figure, &scene.loose, &directions);
     for (loose, way) in scene.loose.iter().zip(&scene.ways) {
         if let Moves::Path { node, .. } = figure.anchors[loose.anchor].moves {

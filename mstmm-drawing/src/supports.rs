@@ -114,7 +114,7 @@ fn freest(ways: &[Vector], crowd: &dyn Fn(Vector) -> f64) -> Vector {
 }
 
 /// The directions in which parts leave a place.
-fn directions_at<M>(figure: &Figure<M>, at: Vector) -> Vec<Vector> {
+pub(crate) fn directions_at<M>(figure: &Figure<M>, at: Vector) -> Vec<Vector> {
     let mut found = Vec::new();
     for part in figure.parts.iter().filter(|part| part.kind != Kind::Tie) {
         let places: Vec<Vector> = part.ends.iter().map(|end| figure.anchors[*end].at).collect();

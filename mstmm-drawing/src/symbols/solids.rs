@@ -27,8 +27,8 @@ pub(super) fn inks(solid: Solid, sight: &Sight, ends: &[Vector]) -> Vec<Ink> {
         Solid::Ball => vec![disc(4.5)],
         Solid::Revolute(axis) => [axes(sight, at, &[axis]), vec![disc(4.5)]].concat(),
         Solid::Universal(both) => [axes(sight, at, &both), vec![disc(4.5)]].concat(),
-        Solid::Prismatic(axis) => rails(sight, at, axis, 2.5),
-        Solid::Cylindrical(axis) => [vec![disc(4.5)], rails(sight, at, axis, 6.0)].concat(),
+        Solid::Prismatic(axis) => rails(sight, at, axis, 4.5),
+        Solid::Cylindrical(axis) => [vec![disc(4.5)], rails(sight, at, axis, 6.5)].concat(),
         Solid::Mount => joints::elastic(0.0, at, at),
         Solid::Joint => {
             let corners = [[-4.5, -4.5], [4.5, -4.5], [4.5, 4.5], [-4.5, 4.5]].map(|corner| plus(at, corner, 1.0));

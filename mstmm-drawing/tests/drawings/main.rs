@@ -11,6 +11,8 @@ mod modes;
 mod pictures;
 mod places;
 mod reading;
+mod space;
+mod space_frames;
 mod supports;
 mod trees;
 
