@@ -17,6 +17,9 @@ const NAME: f64 = 36.0;
 /// Part of its length below which an axis is seen as a point, and its name stands aside.
 const SHORT: f64 = 0.15;
 
+/// Radius of the circle of an axis seen as a point.
+const RADIUS: f64 = 4.2;
+
 /// Half of the side of the corner that the triad takes.
 const HALF: f64 = 45.0;
 
@@ -49,15 +52,30 @@ pub(crate) fn triad(
         let way = sight.way(axis);
         let is_short = way[0].hypot(way[1]) < SHORT;
         let outline = if is_short {
-            Outline::Disc(at, 3.2)
+            Outline::Disc(at, RADIUS)
         } else {
             Outline::line(vec![at, plus(at, sight.way(times(axis, LENGTH)), 1.0)])
         };
         all.append(path(if is_short { "hollow" } else { "axis" }, &outline));
+        if is_short {
+            all.append(path("axis", &mark(at, sight.depth(axis) > 0.0)));
+        }
         let place = if is_short { plus(at, [-11.0, 11.0], 1.0) } else { plus(at, way, NAME) };
         all.append(label(name, place));
     }
     all
+}
+
+/// What is drawn in the circle of an axis seen as a point: a dot if it leads to the reader, else a cross.
+fn mark([x, y]: Vector, is_near: bool) -> Outline {
+    if is_near {
+        return Outline::Disc([x, y], 0.6);
+    }
+    let half = RADIUS * 0.5_f64.sqrt();
+    Outline::Lines(vec![
+        vec![[x - half, y - half], [x + half, y + half]],
+        vec![[x - half, y + half], [x + half, y - half]],
+    ])
 }
 
 /// The name of an axis.
