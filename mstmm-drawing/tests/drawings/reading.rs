@@ -7,6 +7,9 @@ pub(crate) struct Picture {
     text: String,
 }
 
+/// The corners of a path.
+pub(crate) type Corners = Vec<[f64; 2]>;
+
 /// A named part of a picture.
 pub(crate) struct Shown {
     pub(crate) name: String,
@@ -77,7 +80,7 @@ impl Picture {
     }
 
     /// The data of each moment of all animations, with the path that each one moves.
-    pub(crate) fn animations(&self) -> Vec<(Vec<[f64; 2]>, Vec<Vec<[f64; 2]>>)> {
+    pub(crate) fn animations(&self) -> Vec<(Corners, Vec<Corners>)> {
         self.read(|root| {
             let animations = root.descendants().filter(|node| node.has_tag_name("animate"));
             let read = |animation: Node<'_, '_>| {

@@ -144,8 +144,7 @@ fn pieces_make_the_whole_member() {
             let ([u, w], [x, z]) = ([to[0] - from[0], to[2] - from[2]], [x - from[0], z - from[2]]);
             let beside = (x * w - z * u).abs() / u.hypot(w) * picture.number("data-scale");
             assert!(beside < DIGIT, "{name}: {beside}");
-            let part = (x * u + z * w) / (u * u + w * w);
-            part
+            (x * u + z * w) / (u * u + w * w)
         };
         let mut parts: Vec<[f64; 2]> =
             pieces.iter().map(|piece| [part(&piece[0]), part(&piece[piece.len() - 1])]).collect();
