@@ -109,7 +109,7 @@ fn show_shape(system: &TrussBridgeSystem) -> Result<(), Box<dyn Error>> {
     println!("\nFirst mode, {:.4} Hz, with a largest displacement of 1", first.hertz());
     println!("joint      x [m]   y [m]    along x    along y");
     for (point, u, v) in joints {
-        let [x, y] = point.position;
+        let [x, y, _] = point.position;
         // a zero has no sign
         println!("{:8} {x:7} {y:7} {:10.6} {:10.6}", point.name.to_string(), u / most + 0.0, v / most + 0.0);
     }

@@ -7,7 +7,8 @@ pub use mstmm_core::{
     Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree,
     EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, Label, MacError, MemberEnd,
     MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency, PlanePoint,
-    PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, State, SystemStates, Tree, mac,
+    PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, Skew, State, SystemStates, Tree,
+    mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
@@ -233,7 +234,7 @@ pub use mstmm_core::PlaneShape;
 /// let scale = 0.5 / shape.value(Portal::conn_b.displacement_x())?;
 /// let mut moved = Vec::new();
 /// for point in sketch.points() {
-///     let [x, y] = point.position;
+///     let [x, y, _] = point.position;
 ///     let [u, v] = [shape.value(point.label.displacement_x())?, shape.value(point.label.displacement_y())?];
 ///     moved.push([x + scale * u, y + scale * v]);
 /// }

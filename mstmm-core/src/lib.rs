@@ -76,6 +76,7 @@ pub use model::estimates::FrequencyEstimates;
 pub use model::extent::Extent;
 pub use model::label::{Entry, Label, Load, Point};
 pub use model::load_error::LoadError;
+pub use model::member_plane::Skew;
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};

@@ -1,8 +1,12 @@
-//! Writes the pictures of the documents: the systems of the paper, and the portal with its first mode.
+//! Writes the pictures of the documents: the systems of the paper, the portal with its first mode, and one in space.
 
 #[path = "../../examples/portal.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
 pub(crate) mod portal;
+
+#[path = "../../examples/space_portal.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example of its own")]
+mod space_portal;
 
 use mstmm::prelude::*;
 use mstmm_drawing::{Drawing, Force};
@@ -29,10 +33,13 @@ pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> 
     let spring_and_mass = models::spring_and_mass().build()?;
     let two_spans = models::two_spans().build()?;
     let damped_oscillator = models::damped_oscillator().build()?;
+    let in_space = space_portal::steel().build()?.structure;
+    let third = in_space.mode_shape(&in_space.frequencies(3)?[2])?;
     Ok(vec![
         ("portal", Drawing::of(&system)?.to_string()),
         ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),
         ("portal_moment", Drawing::of(&system)?.forces(&first, Force::Moment)?.to_string()),
+        ("space_portal_mode", Drawing::of(&in_space)?.mode(&third)?.to_string()),
         ("tip_body", Drawing::of(&tip_body)?.to_string()),
         ("restrained_beam", Drawing::of(&restrained_beam)?.to_string()),
         ("spring_and_mass", Drawing::of(&spring_and_mass)?.to_string()),

@@ -40,6 +40,11 @@ impl Scale {
         if is_known { Ok(Scale { origin: low, size: scale }) } else { Err(DrawingError::Size { size }) }
     }
 
+    /// Another size of a metre on the paper.
+    pub(crate) fn with_size(self, size: f64) -> Scale {
+        Scale { size, ..self }
+    }
+
     /// A place of the model on the paper.
     pub(crate) fn place(&self, [x, y]: Vector) -> Vector {
         [(x - self.origin[0]) * self.size, (self.origin[1] - y) * self.size]

@@ -8,25 +8,28 @@ use crate::vector::{Vector, between, direction, plus};
 /// An internal force of beams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Force {
-    /// The axial force, tension positive, drawn to the side of the local y.
+    /// The axial force, tension positive, drawn to the side of the local y, in space of the local z.
     Axial,
-    /// The shear force `Q = M'`, drawn to the side of the local y where it is positive.
+    /// The shear force `Q = M'`, drawn to the side of the local y where it is positive; in space both together, to their side.
     Shear,
-    /// The bending moment `M = EI Θ'`, drawn on the side on which the beam is stretched.
+    /// The bending moment `M = EI Θ'`, drawn on the side on which the beam is stretched. In space that is the side on which both moments together
+    /// stretch it.
     Moment,
+    /// The torque of members in space, drawn to the side of the local z.
+    Torque,
 }
 
 /// The largest ordinate on the paper.
-const HEIGHT: f64 = 44.0;
+pub(crate) const HEIGHT: f64 = 44.0;
 
 /// Part of the largest value of all below which a largest value of a member is not written.
-const WRITTEN: f64 = 0.02;
+pub(crate) const WRITTEN: f64 = 0.02;
 
 /// Distance of a written value from the end of its member, as a part of that.
-const BESIDE: f64 = 0.08;
+pub(crate) const BESIDE: f64 = 0.08;
 
 /// Number of lines across the diagram of a member.
-const LINES: usize = 12;
+pub(crate) const LINES: usize = 12;
 
 impl Force {
     /// Its place among the forces of a section.
@@ -35,6 +38,7 @@ impl Force {
             Force::Axial => 0,
             Force::Shear => 1,
             Force::Moment => 2,
+            Force::Torque => 5,
         }
     }
 
@@ -43,15 +47,21 @@ impl Force {
             Force::Axial => "axial force",
             Force::Shear => "shear force",
             Force::Moment => "moment",
+            Force::Torque => "torque",
         }
+    }
+
+    /// Whether its values in space have a sign: two of them together have a direction.
+    pub(crate) fn has_sign_in_space(self) -> bool {
+        matches!(self, Force::Axial | Force::Torque)
     }
 
     /// Whether a part has it.
     pub(crate) fn acts_in<M>(self, kind: Kind, inside: &Inside<M>) -> bool {
-        let is_beam = matches!(kind, Kind::Beam { .. });
+        let is_beam = matches!(kind, Kind::Beam { .. } | Kind::Bar);
         match inside {
             // a string between two places has no moment
-            Inside::Member(..) => is_beam || matches!(kind, Kind::Line) && self != Force::Moment,
+            Inside::Member(..) => is_beam || matches!(kind, Kind::Line) && matches!(self, Force::Axial | Force::Shear),
             Inside::Element { .. } => is_beam && self != Force::Axial,
         }
     }
@@ -61,7 +71,7 @@ impl Force {
         // local y, a quarter of a turn on from local x; the paper has y downwards
         let [x, y] = [along[1], -along[0]];
         match self {
-            Force::Axial | Force::Shear => [x, y],
+            Force::Axial | Force::Shear | Force::Torque => [x, y],
             Force::Moment => [-x, -y],
         }
     }
@@ -111,7 +121,7 @@ pub(crate) fn diagrams<M>(figure: &Figure<M>, force: Force, values: &[Vec<[f64; 
 }
 
 /// A number with three digits.
-fn written(value: f64) -> String {
+pub(crate) fn written(value: f64) -> String {
     let size = value.abs();
     let digits = 2 - size.log10().floor() as i32;
     let text = if (-3..=6).contains(&digits) {

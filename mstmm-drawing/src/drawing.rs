@@ -1,13 +1,15 @@
 //! A drawing: a model, and what is drawn over it.
 
 use crate::diagram::{Diagram, Force, diagrams};
+use crate::diagram_in_space::{Ordinate, diagrams_in_space, ordinates};
 use crate::error::DrawingError;
 use crate::figure::Figure;
 use crate::motion::{Motion, forces};
-use crate::shape::private::Moved;
+use crate::projection::project;
 use crate::shape::{Number, Shape};
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
+use crate::view::View;
 use std::fmt;
 use std::path::Path;
 
@@ -23,6 +25,27 @@ pub struct Drawing<M> {
     pub(crate) motion: Option<(Motion, Number)>,
     /// A force with its diagrams, and its unit on the paper.
     pub(crate) force: Option<(Force, Vec<Diagram>, f64)>,
+    ordinates: Ordinates,
+}
+
+/// The values of a force along members, for other views.
+enum Ordinates {
+    None,
+    InPlane(Vec<Vec<[f64; 2]>>),
+    InSpace(Vec<Vec<Ordinate>>),
+}
+
+impl Ordinates {
+    /// The diagrams of a force, and its unit on the paper.
+    fn diagrams<M>(&self, figure: &Figure<M>, force: Force) -> Result<(Force, Vec<Diagram>, f64), DrawingError> {
+        let found = match self {
+            Ordinates::None => None,
+            Ordinates::InPlane(values) => diagrams(figure, force, values),
+            Ordinates::InSpace(values) => diagrams_in_space(figure, force, values),
+        };
+        let (diagrams, scale) = found.ok_or(DrawingError::NoForce { force: force.name() })?;
+        Ok((force, diagrams, scale))
+    }
 }
 
 impl<M> fmt::Debug for Drawing<M> {
@@ -32,7 +55,8 @@ impl<M> fmt::Debug for Drawing<M> {
 }
 
 impl<M> Drawing<M> {
-    /// The drawing of a built system: of a frame where its points are, of a tree of paths along its bending paths.
+    /// The drawing of a built system: of a frame where its points are, of one in space by the isometric [view](View), of a tree of paths along its bending
+    /// paths.
     ///
     /// # Errors
     /// [`DrawingError::Empty`] for a model without points, [`DrawingError::NotFinite`] and [`DrawingError::Size`] for one that no scale
@@ -41,7 +65,7 @@ impl<M> Drawing<M> {
     where
         Y: Sketched<Kind> + Figured<Kind, Model = M>,
     {
-        Ok(Drawing { figure: system.figure()?, motion: None, force: None })
+        Ok(Drawing { figure: system.figure()?, motion: None, force: None, ordinates: Ordinates::None })
     }
 
     /// The drawing with a motion over it: a mode shape, or of a frame the states of a response. Where the reader's settings allow, it moves.
@@ -51,15 +75,8 @@ impl<M> Drawing<M> {
     /// [`DrawingError::Motion`] where the motion is not known, [`DrawingError::MotionNotFinite`] where it is not finite.
     pub fn mode(mut self, shape: &impl Shape<M>) -> Result<Self, DrawingError> {
         let motion = Motion::of(&self.figure, shape)?;
-        let places = || self.figure.anchors.iter().map(|anchor| anchor.at);
-        let extent = |axis: usize| {
-            let ends = places().map(|place| place[axis]);
-            ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
-        };
-        let height = (REACH * extent(0).max(extent(1))).clamp(LEAST_REACH, MOST_REACH);
-        let (largest, phase) = phase_of(&motion, shape);
-        let reach = Some(height / largest).filter(|reach| reach.is_finite()).unwrap_or(0.0);
-        self.motion = Some((motion, Number::from_polar(reach, -phase)));
+        let reach = reach(&self.figure, &motion);
+        self.motion = Some((motion, reach));
         Ok(self)
     }
 
@@ -68,11 +85,28 @@ impl<M> Drawing<M> {
     /// # Errors
     /// As [`mode`](Drawing::mode); [`DrawingError::NoForce`] where no member has such a force, or all are zero.
     pub fn forces(mut self, shape: &impl Shape<M>, force: Force) -> Result<Self, DrawingError> {
-        let (_, phase) = phase_of(&Motion::of(&self.figure, shape)?, shape);
-        let values = forces(&self.figure, shape, force, Number::from_polar(1.0, -phase))?;
-        let (diagrams, scale) =
-            diagrams(&self.figure, force, &values).ok_or(DrawingError::NoForce { force: force.name() })?;
-        self.force = Some((force, diagrams, scale));
+        let (_, phase) = Motion::of(&self.figure, shape)?.largest();
+        let turn = Number::from_polar(1.0, -phase);
+        self.ordinates = match self.figure.scene {
+            Some(_) => Ordinates::InSpace(ordinates(&self.figure, shape, force, turn)?),
+            None => Ordinates::InPlane(forces(&self.figure, shape, force, turn)?),
+        };
+        self.force = Some(self.ordinates.diagrams(&self.figure, force)?);
+        Ok(self)
+    }
+
+    /// The drawing of a model in space from another side. Without a view it is [isometric](View::isometric); a model of the plane stays as it is.
+    ///
+    /// # Errors
+    /// [`DrawingError::View`] for an angle that is not finite, [`DrawingError::Size`] for a model that no scale puts on the paper.
+    pub fn view(mut self, view: View) -> Result<Self, DrawingError> {
+        project(&mut self.figure, view)?;
+        if let Some((motion, unit)) = &mut self.motion {
+            *unit = reach(&self.figure, motion);
+        }
+        if let Some((force, ..)) = self.force {
+            self.force = Some(self.ordinates.diagrams(&self.figure, force)?);
+        }
         Ok(self)
     }
 
@@ -85,8 +119,15 @@ impl<M> Drawing<M> {
     }
 }
 
-/// The largest displacement of a motion, and the phase at which it is drawn: of a mode that in which it is upwards, or to the right.
-fn phase_of<M, S: Moved<M>>(motion: &Motion, _shape: &S) -> (f64, f64) {
+/// The unit of a motion on the paper, with the phase at which its largest displacement is seen.
+fn reach<M>(figure: &Figure<M>, motion: &Motion) -> Number {
+    let places = || figure.anchors.iter().map(|anchor| anchor.at);
+    let extent = |axis: usize| {
+        let ends = places().map(|place| place[axis]);
+        ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
+    };
+    let height = (REACH * extent(0).max(extent(1))).clamp(LEAST_REACH, MOST_REACH);
     let (largest, phase) = motion.largest();
-    (largest, if S::IS_MODE { phase } else { 0.0 })
+    let reach = Some(height / largest).filter(|reach| reach.is_finite()).unwrap_or(0.0);
+    Number::from_polar(reach, -phase)
 }

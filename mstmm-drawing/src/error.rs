@@ -24,6 +24,14 @@ pub enum DrawingError {
         /// Its largest extent.
         size: f64,
     },
+    /// An angle of a view is not finite.
+    #[error("a view with the azimuth {azimuth} and the elevation {elevation} has no direction")]
+    View {
+        /// The azimuth in degrees.
+        azimuth: f64,
+        /// The elevation in degrees.
+        elevation: f64,
+    },
     /// The motion is not known.
     #[error("the motion cannot be drawn: {0}")]
     Motion(#[from] MotionError),

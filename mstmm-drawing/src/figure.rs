@@ -1,7 +1,11 @@
 //! A model on the paper: anchors with their places, the parts between them, supports.
 
 use crate::kind::Kind;
+use crate::scene::Scene;
+use crate::solid::Grip;
 use crate::vector::Vector;
+use crate::vector3::Vector3;
+use crate::view::Sight;
 use mstmm_core::{Label, MemberEnd, MemberLabel, PlanePoint, Point};
 
 /// A model `M` on the paper.
@@ -14,6 +18,10 @@ pub struct Figure<M> {
     pub(crate) scale: f64,
     /// Where the origin of the model is on the paper.
     pub(crate) origin: Vector,
+    /// How the model is seen.
+    pub(crate) sight: Sight,
+    /// Where it is in space; none of a model of the plane.
+    pub(crate) scene: Option<Scene>,
 }
 
 /// A place to which parts are attached.
@@ -39,7 +47,7 @@ pub enum Moves<M> {
         /// Index of the node.
         node: usize,
         /// The direction, of length 1.
-        along: Vector,
+        along: Vector3,
     },
     /// A point of a tree.
     Tree {
@@ -55,7 +63,7 @@ pub enum Moves<M> {
         /// Index of the other anchor.
         anchor: usize,
         /// The way from it.
-        arm: Vector,
+        arm: Vector3,
     },
 }
 
@@ -109,6 +117,8 @@ pub(crate) enum Holds {
     /// The displacement across a direction of the paper and the rotation.
     AcrossAndRotation(Vector),
     Rotation,
+    /// What a support in space holds.
+    InSpace(Grip),
 }
 
 impl Holds {
@@ -120,6 +130,7 @@ impl Holds {
             Holds::Across(_) => "roller",
             Holds::AcrossAndRotation(_) => "guided",
             Holds::Rotation => "rotation",
+            Holds::InSpace(grip) => grip.held.symbol(),
         }
     }
 }

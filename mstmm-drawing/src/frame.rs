@@ -5,9 +5,11 @@ use crate::error::DrawingError;
 use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_of};
 use crate::kind::Kind;
 use crate::lanes::lay_side_by_side;
-use crate::path_places::{Loose, place_paths};
-use crate::vector::{Vector, direction, distance, plus};
-use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, Parameter, Real, Sketch};
+use crate::loose::Loose;
+use crate::path_places::place_paths;
+use crate::vector::{Vector, direction, distance, plus, turned};
+use crate::view::Sight;
+use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, Parameter, Real, Sketch, Skew};
 
 /// Distance on the paper within which two places are one.
 const SAME: f64 = 1e-6;
@@ -44,8 +46,8 @@ struct Builder<M> {
 }
 
 /// A place in plain numbers.
-fn plain<T: Parameter>(place: [T; 2]) -> Vector {
-    place.map(Parameter::to_f64)
+fn plain<T: Parameter>([x, y, _]: [T; 3]) -> Vector {
+    [x, y].map(Parameter::to_f64)
 }
 
 /// The direction of a vector of the model on the paper.
@@ -77,6 +79,8 @@ impl<M> Builder<M> {
                 supports: Vec::new(),
                 scale: scale.size,
                 origin: scale.place([0.0; 2]),
+                sight: Sight::PLANE,
+                scene: None,
             },
             scale,
             nodes: points.iter().map(|point| point.node).collect(),
@@ -156,7 +160,7 @@ impl<M> Builder<M> {
             return loose.anchor;
         }
         let anchor = self.figure.anchors.len();
-        let moves = if end.rests { Moves::Rest } else { Moves::Path { node: end.node, along: [0.0, 1.0] } };
+        let moves = if end.rests { Moves::Rest } else { Moves::Path { node: end.node, along: [0.0, 1.0, 0.0] } };
         self.figure.anchors.push(Anchor { at: [0.0; 2], moves, name: None });
         self.loose.push(Loose { anchor, node: end.node, rests: end.rests });
         anchor
@@ -183,7 +187,7 @@ impl<M> Builder<M> {
                 continue;
             }
             let (at, from) = (self.scale.place(centre), self.figure.anchors[first].at);
-            let arm = [(at[0] - from[0]) / self.scale.size, (from[1] - at[1]) / self.scale.size];
+            let arm = [(at[0] - from[0]) / self.scale.size, (from[1] - at[1]) / self.scale.size, 0.0];
             let own = self.figure.anchors.len();
             self.figure.anchors.push(Anchor { at, moves: Moves::Tied { anchor: first, arm }, name: None });
             let is_one = tied.iter().all(|&point| distance(self.figure.anchors[point].at, at) < SAME);
@@ -215,12 +219,16 @@ impl<M> Builder<M> {
 /// What a support holds; none where it holds nothing.
 fn holds<T: Real>(support: &DrawnSupport<T>, is_plane: bool) -> Option<Holds> {
     let has = |freedom| support.held.contains(freedom);
-    if support.held.is_empty() && support.along.is_none() {
+    if support.held.is_empty() && support.skew.is_none() {
         return None;
     }
     // with one coordinate nothing moves along it
     let [x, y, rotation] = [has(Freedoms::X) || !is_plane, has(Freedoms::Y), has(Freedoms::RZ)];
-    let along = support.along.map(plain).and_then(on_paper);
+    // across a normal there is one direction in the plane
+    let along = support.skew.and_then(|skew| match skew {
+        Skew::Along(direction) => on_paper(plain(direction)),
+        Skew::Normal(direction) => on_paper(turned(plain(direction))),
+    });
     let along = along.or(match (x, y) {
         (true, false) => Some([0.0, 1.0]),
         (false, true) => Some([1.0, 0.0]),

@@ -16,9 +16,19 @@ pub(crate) enum Pen {
     Hollow,
     Ground,
     Hatch,
+    /// The ground below a support in space.
+    Base,
+    /// Paper around a line, and around a thick one.
+    Halo,
+    WideHalo,
 }
 
 impl Pen {
+    /// Whether it draws in the colour of the paper alone.
+    pub(crate) fn is_halo(self) -> bool {
+        matches!(self, Pen::Halo | Pen::WideHalo)
+    }
+
     pub(crate) fn class(self) -> &'static str {
         match self {
             Pen::Beam => "beam",
@@ -32,6 +42,9 @@ impl Pen {
             Pen::Hollow => "hollow",
             Pen::Ground => "ground",
             Pen::Hatch => "hatch",
+            Pen::Base => "base",
+            Pen::Halo => "halo",
+            Pen::WideHalo => "halo wide",
         }
     }
 }

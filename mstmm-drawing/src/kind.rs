@@ -1,5 +1,6 @@
 //! Which symbol stands for an element, by the name of its type or by the keyword of a joint.
 
+use crate::solid::Solid;
 use crate::vector::Vector;
 
 /// The symbol of an element.
@@ -8,6 +9,8 @@ pub(crate) enum Kind {
     Beam {
         on_foundation: bool,
     },
+    /// A beam in space with ball joints at both ends.
+    Bar,
     Rod,
     Line,
     Shaft,
@@ -25,6 +28,8 @@ pub(crate) enum Kind {
     /// With the direction on the paper in which it slides.
     Slider(Vector),
     ElasticHinge,
+    /// A joint or a body in space.
+    Solid(Solid),
     /// What joins a path to a point, without extent.
     Tie,
     /// An element of the user's own.
@@ -61,11 +66,41 @@ impl Kind {
         }
     }
 
+    /// Whether it is a rigid body, whose last end is its mass centre.
+    pub(crate) fn is_body(self) -> bool {
+        matches!(self, Kind::Body | Kind::Solid(Solid::Body))
+    }
+
+    /// Whether it is a joint of two points at one place.
+    pub(crate) fn is_joint(self) -> bool {
+        matches!(self, Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Solid(_)) && !self.is_body()
+    }
+
+    /// Whether it acts about the axis of its path.
+    pub(crate) fn turns(self) -> bool {
+        matches!(self, Kind::TorsionSpring | Kind::TorsionDamper | Kind::Shaft)
+    }
+
+    /// Whether it is drawn by a line along it first.
+    pub(crate) fn is_line(self) -> bool {
+        matches!(
+            self,
+            Kind::Beam { .. }
+                | Kind::Bar
+                | Kind::Rod
+                | Kind::Shaft
+                | Kind::Line
+                | Kind::Lever
+                | Kind::Tie
+                | Kind::Other
+        )
+    }
+
     /// Whether it has no extent along its path.
     pub(crate) fn is_at_a_point(self) -> bool {
         matches!(
             self,
             Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Tie
-        )
+        ) || self.is_joint()
     }
 }

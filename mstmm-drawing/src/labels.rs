@@ -79,6 +79,14 @@ pub(crate) fn corners(label: &Placed) -> [Vector; 2] {
     [plus(label.middle, half, -1.0), plus(label.middle, half, 1.0)]
 }
 
+/// Whether nothing is drawn or written in a box, by its middle and half of its sides.
+pub(crate) fn is_free(middle: Vector, half: Vector, inks: &[Ink], labels: &[Placed]) -> bool {
+    let area = Area { middle, half };
+    let mut texts = labels.iter().map(|label| Area { middle: label.middle, half: half_of(&label.wanted.text) });
+    let mut drawn = inks.iter().flat_map(lines);
+    !texts.any(|text| text.covers(&area)) && !drawn.any(|(line, thickness)| area.is_crossed(line, thickness))
+}
+
 /// Places labels one after the other.
 pub(crate) fn placed(wanted: Vec<Wanted>, inks: &[Ink]) -> Vec<Placed> {
     let obstacles: Vec<([Vector; 2], f64)> = inks.iter().flat_map(lines).collect();

@@ -2,7 +2,7 @@
 
 use crate::figure::Figure;
 use crate::kind::Kind;
-use crate::path_places::Loose;
+use crate::loose::Loose;
 
 /// Distance of two paths.
 pub(crate) const LANE: f64 = 96.0;

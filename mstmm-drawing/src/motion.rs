@@ -19,16 +19,20 @@ const ALIKE: f64 = 1e-6;
 /// The displacements of a motion.
 #[derive(Debug)]
 pub(crate) struct Motion {
-    /// Along x and y of the model, and the rotation.
+    /// Of each anchor, along x, y and z of the model.
     pub(crate) anchors: Vec<[Number; 3]>,
     /// The displacements along each part, at parts of its length; empty of a part without inside.
-    pub(crate) curves: Vec<Vec<(f64, [Number; 2])>>,
+    pub(crate) curves: Vec<Vec<(f64, [Number; 3])>>,
+    /// Whether parts move out of phase.
+    pub(crate) is_complex: bool,
+    /// Whether its sign, or its phase, says nothing.
+    is_mode: bool,
 }
 
 impl Motion {
     /// The displacements of a shape.
-    pub(crate) fn of<M>(figure: &Figure<M>, shape: &impl Shape<M>) -> Result<Self, DrawingError> {
-        let mut anchors: Vec<[Number; 3]> = Vec::new();
+    pub(crate) fn of<M, S: Shape<M>>(figure: &Figure<M>, shape: &S) -> Result<Self, DrawingError> {
+        let mut anchors: Vec<[Number; 6]> = Vec::new();
         for anchor in &figure.anchors {
             let displacement = match anchor.moves {
                 // anchors are tied to earlier ones
@@ -38,7 +42,7 @@ impl Motion {
             check(&displacement, || anchor.name.clone().unwrap_or_else(|| "a point".to_owned()))?;
             anchors.push(displacement);
         }
-        let mut curves = Vec::new();
+        let mut curves: Vec<Vec<(f64, [Number; 3])>> = Vec::new();
         for part in &figure.parts {
             let sections = match &part.inside {
                 Some(inside) => sampled(shape, inside, |section| section.displacement)?,
@@ -49,31 +53,30 @@ impl Motion {
             }
             curves.push(sections.into_iter().map(|(at, section)| (at, section.displacement)).collect());
         }
-        Ok(Motion { anchors, curves })
+        let of_curves = curves.iter().flatten().flat_map(|(_, displacement): &(f64, [Number; 3])| displacement);
+        let is_complex = anchors.iter().flatten().chain(of_curves).any(|number| number.im != 0.0);
+        let anchors = anchors.into_iter().map(|[x, y, z, ..]| [x, y, z]).collect();
+        Ok(Motion { anchors, curves, is_complex, is_mode: S::IS_MODE })
     }
 
-    /// The size of the largest displacement, the first of several, and the phase of its larger part.
+    /// The largest displacement, the first of several, and the phase at which it is drawn: of a mode that in which its largest part is
+    /// upwards, or to the right; of parts alike that along z, then that along y.
     pub(crate) fn largest(&self) -> (f64, f64) {
-        let anchors = self.anchors.iter().map(|[x, y, _]| [*x, *y]);
+        let anchors = self.anchors.iter().copied();
         let curves = self.curves.iter().flatten().map(|(_, displacement)| *displacement);
-        let size = |[x, y]: [Number; 2]| x.norm().hypot(y.norm());
+        let size = |[x, y, z]: [Number; 3]| x.norm().hypot(y.norm()).hypot(z.norm());
         let larger = |best, next| if size(next) > (1.0 + ALIKE) * size(best) { next } else { best };
-        let largest = anchors.chain(curves).fold([Number::default(); 2], larger);
-        let [x, y] = largest;
-        (size(largest), if x.norm() > (1.0 + ALIKE) * y.norm() { x.arg() } else { y.arg() })
-    }
-
-    /// Whether parts move out of phase.
-    pub(crate) fn is_complex(&self) -> bool {
-        let anchors = self.anchors.iter().flatten();
-        let mut all = anchors.chain(self.curves.iter().flatten().flat_map(|(_, displacement)| displacement));
-        all.any(|number| number.im != 0.0)
+        let largest = anchors.chain(curves).fold([Number::default(); 3], larger);
+        let larger = |best: Number, next: Number| if next.norm() > (1.0 + ALIKE) * best.norm() { next } else { best };
+        let [x, y, z] = largest;
+        (size(largest), if self.is_mode { larger(larger(z, y), x).arg() } else { 0.0 })
     }
 }
 
-/// The displacement of a place that another one ties rigidly.
-fn tied([x, y, rotation]: [Number; 3], arm: [f64; 2]) -> [Number; 3] {
-    [x - rotation * arm[1], y + rotation * arm[0], rotation]
+/// The motion of a place that another one ties rigidly.
+fn tied([x, y, z, about_x, about_y, about_z]: [Number; 6], [u, v, w]: [f64; 3]) -> [Number; 6] {
+    let moved = [x + (about_y * w - about_z * v), y + (about_z * u - about_x * w), z + (about_x * v - about_y * u)];
+    [moved[0], moved[1], moved[2], about_x, about_y, about_z]
 }
 
 fn check(numbers: &[Number], name: impl Fn() -> String) -> Result<(), DrawingError> {

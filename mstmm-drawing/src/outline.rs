@@ -20,6 +20,14 @@ impl Outline {
         Outline::Lines(vec![points])
     }
 
+    /// One of its lines; of an area its corners.
+    pub(crate) fn line_at(&self, index: usize) -> Vec<Vector> {
+        match self {
+            Outline::Lines(lines) => lines.get(index).cloned().unwrap_or_default(),
+            area => area.points(),
+        }
+    }
+
     /// Its data as the attribute `d` of a path.
     pub(crate) fn data(&self) -> String {
         let mut data = String::new();

@@ -2,6 +2,7 @@
 
 use crate::figure::{Figure, Moves};
 use crate::kind::Kind;
+use crate::loose::Loose;
 use crate::vector::{Vector, between, direction, distance, dot, plus, turned};
 
 /// Length of an element that hangs at a point.
@@ -9,15 +10,6 @@ pub(crate) const HANGING: f64 = 52.0;
 
 /// Distance of a path from a beam beside it.
 const ASIDE: f64 = 30.0;
-
-/// An anchor without a place: a motion of a path, or the ground behind it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Loose {
-    pub(crate) anchor: usize,
-    /// Index of its node.
-    pub(crate) node: usize,
-    pub(crate) rests: bool,
-}
 
 /// Where a path acts on a point.
 struct Contact {
@@ -48,7 +40,7 @@ pub(crate) fn place_paths<M>(figure: &mut Figure<M>, loose: &[Loose], directions
 
 /// The two anchors of each part that leads from one to another.
 fn links<M>(figure: &Figure<M>) -> impl Iterator<Item = (usize, [usize; 2], usize)> + '_ {
-    let parts = figure.parts.iter().enumerate().filter(|(_, part)| part.kind != Kind::Body);
+    let parts = figure.parts.iter().enumerate().filter(|(_, part)| !part.kind.is_body());
     parts.map(|(index, part)| (index, [part.ends[0], part.ends[1]], usize::from(part.kind != Kind::Tie)))
 }
 
@@ -119,11 +111,11 @@ fn place_path<M>(figure: &mut Figure<M>, path: &[usize], contacts: &[Contact], i
             path.iter().map(|&anchor| plus(start, way, outside + HANGING * steps(anchor) as f64)).collect()
         }
     };
-    let along = first.along.map(|[x, y]| [x, -y]);
+    let along = first.along.map(|[x, y]| [x, -y, 0.0]);
     for (&anchor, at) in path.iter().zip(at) {
         figure.anchors[anchor].at = at;
         if let Moves::Path { node, .. } = figure.anchors[anchor].moves {
-            figure.anchors[anchor].moves = Moves::Path { node, along: along.unwrap_or([0.0; 2]) };
+            figure.anchors[anchor].moves = Moves::Path { node, along: along.unwrap_or([0.0; 3]) };
         }
     }
 }
@@ -141,7 +133,7 @@ fn aside<M>(figure: &Figure<M>, start: Vector, end: Vector) -> Vector {
 
 /// How far a body reaches from one of its points along a way.
 fn outside<M>(figure: &Figure<M>, point: usize, way: Vector) -> f64 {
-    let bodies = figure.parts.iter().filter(|part| part.kind == Kind::Body && part.ends.contains(&point));
+    let bodies = figure.parts.iter().filter(|part| part.kind.is_body() && part.ends.contains(&point));
     let ends =
         bodies.flat_map(|body| &body.ends).map(|end| plus(figure.anchors[*end].at, figure.anchors[point].at, -1.0));
     ends.map(|end| dot(end, way)).fold(0.0, f64::max)

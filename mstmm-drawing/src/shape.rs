@@ -2,8 +2,8 @@
 
 use crate::figure::{Inside, Moves};
 use mstmm_core::{
-    Complex, ModeShape, MotionError, MovingNetwork, Oscillation, Placed, PlacedMotions, PlaneFrequency, PlanePoint,
-    PlaneShape, PlaneStates, Real, Single, State, System, SystemStates, Tree,
+    Complex, ModeShape, MotionError, MovingNetwork, Oscillation, Placed, PlacedMotions, PlaneFrequency, PlaneShape,
+    PlaneStates, Real, Single, State, System, SystemStates, Tree,
 };
 
 /// A motion of a system of the model `M`: a mode shape, or the states of a response.
@@ -14,11 +14,12 @@ impl<M, T: private::Moved<M>> Shape<M> for T {}
 /// A number of a motion.
 pub(crate) type Number = Complex<f64>;
 
-/// A cross section of a member: its displacement, and its axial force, shear force and moment.
+/// A cross section of a member: its displacement along x, y and z of the model, and the forces in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Section {
-    pub(crate) displacement: [Number; 2],
-    pub(crate) forces: [Number; 3],
+    pub(crate) displacement: [Number; 3],
+    /// Axial force, shear force along y and moment about z of the member; in space these along z and about y, and the torque.
+    pub(crate) forces: [Number; 6],
 }
 
 pub(crate) mod private {
@@ -29,8 +30,8 @@ pub(crate) mod private {
         /// Whether its sign, or its phase, says nothing: that of a mode shape, and not of a response.
         const IS_MODE: bool = false;
 
-        /// The displacement of an anchor along x and y, and its rotation.
-        fn at(&self, moves: &Moves<M>) -> Result<[Number; 3], MotionError>;
+        /// The displacement of an anchor along x, y and z, and its rotations about them.
+        fn at(&self, moves: &Moves<M>) -> Result<[Number; 6], MotionError>;
 
         /// The cross section of a member at a part of its length.
         fn along(&self, inside: &Inside<M>, part: f64) -> Result<Section, MotionError>;
@@ -44,7 +45,7 @@ fn plain<T: Real, S: Oscillation<T>>(value: S) -> Number {
 }
 
 /// A deflection along a direction.
-fn directed(value: Number, along: [f64; 2]) -> [Number; 2] {
+fn directed<const N: usize>(value: Number, along: [f64; N]) -> [Number; N] {
     along.map(|part| value * part)
 }
 
@@ -55,19 +56,15 @@ where
     Y: PlacedMotions<S> + Placed,
     S: Oscillation<Y::Parameter>,
 {
-    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 3], MotionError> {
+    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 6], MotionError> {
         match *moves {
-            Moves::Point(point) => point_of(self, point),
-            Moves::End(end) => {
-                let entries = [end.displacement_x(), end.displacement_y(), end.rotation_z()];
-                let [x, y, z] = entries.map(|entry| self.value(entry));
-                Ok([plain(x?), plain(y?), plain(z?)])
-            }
+            Moves::Point(point) => Ok(self.motion_of(point)?.map(plain)),
+            Moves::End(end) => Ok(self.motion_of(end)?.map(plain)),
             Moves::Path { node, along } => {
-                let [x, y] = directed(plain(self.node(node)?[0]), along);
-                Ok([x, y, ZERO])
+                let [x, y, z] = directed(plain(self.node(node)?[0]), along);
+                Ok([x, y, z, ZERO, ZERO, ZERO])
             }
-            Moves::Rest | Moves::Tree { .. } | Moves::Tied { .. } => Ok([ZERO; 3]),
+            Moves::Rest | Moves::Tree { .. } | Moves::Tied { .. } => Ok([ZERO; 6]),
         }
     }
 
@@ -75,28 +72,11 @@ where
         let Inside::Member(label, length) = *inside else { return Err(MotionError::NoInside) };
         let state = PlaneStates::along(self, label, part * length)?;
         Ok(Section {
-            displacement: [plain(state.displacement_x), plain(state.displacement_y)],
-            forces: [plain(state.axial_force), plain(state.shear), plain(state.moment)],
+            displacement: [state.displacement_x, state.displacement_y, state.displacement_z].map(plain),
+            forces: [state.axial_force, state.shear, state.moment, state.shear_z, state.moment_y, state.torque]
+                .map(plain),
         })
     }
-}
-
-/// The displacements of a point; zero where no element brings a freedom to it.
-fn point_of<Y, S>(states: &PlaneStates<'_, Y, S>, point: PlanePoint<Y::Model>) -> Result<[Number; 3], MotionError>
-where
-    Y: Placed,
-    S: Oscillation<Y::Parameter>,
-{
-    let mut displacements = [ZERO; 3];
-    for (displacement, entry) in
-        displacements.iter_mut().zip([point.displacement_x(), point.displacement_y(), point.rotation_z()])
-    {
-        *displacement = match states.value(entry) {
-            Err(MotionError::NoSuchFreedom { .. }) => ZERO,
-            value => plain(value?),
-        };
-    }
-    Ok(displacements)
 }
 
 impl<Y, S> private::Moved<<Y as Placed>::Model> for PlaneShape<'_, Y, S>
@@ -106,7 +86,7 @@ where
 {
     const IS_MODE: bool = true;
 
-    fn at(&self, moves: &Moves<<Y as Placed>::Model>) -> Result<[Number; 3], MotionError> {
+    fn at(&self, moves: &Moves<<Y as Placed>::Model>) -> Result<[Number; 6], MotionError> {
         private::Moved::at(&**self, moves)
     }
 
@@ -120,12 +100,12 @@ where
     Y: Tree<S>,
     S: Oscillation<Y::Parameter> + Single,
 {
-    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 3], MotionError> {
-        let Moves::Tree { point, along, is_rotation } = *moves else { return Ok([ZERO; 3]) };
+    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 6], MotionError> {
+        let Moves::Tree { point, along, is_rotation } = *moves else { return Ok([ZERO; 6]) };
         let state = self.state(point);
-        let [x, y] = deflection(&state, along, is_rotation);
+        let [x, y, z] = deflection(&state, along, is_rotation);
         let rotation = if is_rotation { ZERO } else { plain(state.theta) };
-        Ok([x, y, rotation])
+        Ok([x, y, z, ZERO, ZERO, rotation])
     }
 
     fn along(&self, inside: &Inside<Y::Model>, part: f64) -> Result<Section, MotionError> {
@@ -133,14 +113,15 @@ where
         let state = SystemStates::along(self, label, part * length)?;
         Ok(Section {
             displacement: deflection(&state, along, is_rotation),
-            forces: [ZERO, plain(state.q), plain(state.m)],
+            forces: [ZERO, plain(state.q), plain(state.m), ZERO, ZERO, ZERO],
         })
     }
 }
 
 /// What of a state is drawn.
-fn deflection<T: Real, S: Oscillation<T>>(state: &State<S>, along: [f64; 2], is_rotation: bool) -> [Number; 2] {
-    directed(plain(if is_rotation { state.theta } else { state.y }), along)
+fn deflection<T: Real, S: Oscillation<T>>(state: &State<S>, along: [f64; 2], is_rotation: bool) -> [Number; 3] {
+    let [x, y] = directed(plain(if is_rotation { state.theta } else { state.y }), along);
+    [x, y, ZERO]
 }
 
 impl<Y, S> private::Moved<Y::Model> for ModeShape<'_, Y, S>
@@ -150,7 +131,7 @@ where
 {
     const IS_MODE: bool = true;
 
-    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 3], MotionError> {
+    fn at(&self, moves: &Moves<Y::Model>) -> Result<[Number; 6], MotionError> {
         private::Moved::at(&**self, moves)
     }
 

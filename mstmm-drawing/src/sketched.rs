@@ -4,7 +4,7 @@ use crate::error::DrawingError;
 use crate::figure::Figure;
 use mstmm_core::{Drawn, DrawnTree, FrameAnalysis, ModalAnalysis};
 
-/// A system that can be drawn: one whose points have places, or one of paths. `Kind` is [`Frame`] or [`Tree`], and follows from the system.
+/// A system that can be drawn: one whose points have places, in the plane or in space, or one of paths. `Kind` is [`Frame`] or [`Tree`], and follows from the system.
 pub trait Sketched<Kind>: private::Figured<Kind> {}
 
 /// The kind of systems whose points have places.
@@ -21,7 +21,8 @@ impl<Y: Drawn> private::Figured<Frame> for Y {
     type Model = Y::Model;
 
     fn figure(&self) -> Result<Figure<Y::Model>, DrawingError> {
-        crate::frame::figure(&FrameAnalysis::sketch(self))
+        let sketch = FrameAnalysis::sketch(self);
+        if Y::IS_IN_SPACE { crate::in_space::figure(&sketch) } else { crate::frame::figure(&sketch) }
     }
 }
 

@@ -25,7 +25,7 @@ impl Standing {
         let parts = directions_at(figure, at);
         let crowd = |way: Vector| parts.iter().map(|part| dot(*part, way)).fold(-1.0, f64::max);
         let ground = match holds {
-            Holds::All | Holds::Rotation => {
+            Holds::All | Holds::Rotation | Holds::InSpace(_) => {
                 let sum = parts.iter().fold([0.0; 2], |sum, part| plus(sum, *part, -1.0));
                 // a beam that goes on is held from below
                 let away = direction(sum).filter(|_| sum[0].hypot(sum[1]) > 0.5);
@@ -99,6 +99,8 @@ impl Standing {
                 inks.push(Ink::new(Pen::Hollow, Outline::Area(corners)));
                 inks.extend(self.hatched(8.0));
             }
+            // drawn with its directions in space
+            Holds::InSpace(_) => {}
         }
         inks
     }
@@ -112,7 +114,7 @@ fn freest(ways: &[Vector], crowd: &dyn Fn(Vector) -> f64) -> Vector {
 }
 
 /// The directions in which parts leave a place.
-fn directions_at<M>(figure: &Figure<M>, at: Vector) -> Vec<Vector> {
+pub(crate) fn directions_at<M>(figure: &Figure<M>, at: Vector) -> Vec<Vector> {
     let mut found = Vec::new();
     for part in figure.parts.iter().filter(|part| part.kind != Kind::Tie) {
         let places: Vec<Vector> = part.ends.iter().map(|end| figure.anchors[*end].at).collect();

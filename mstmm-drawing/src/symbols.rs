@@ -1,16 +1,19 @@
 //! The symbols of elements.
 
 mod bodies;
+pub(crate) mod convex;
 mod joints;
+mod solids;
 mod springs;
 
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
 use crate::outline::Outline;
 use crate::vector::{Vector, distance};
+use crate::view::Sight;
 
 /// What is drawn of an element, between its ends or along its curve: as many lines and corners at any moment as at rest.
-pub(crate) fn inks(kind: Kind, rest: &[Vector], ends: &[Vector], curve: &[Vector]) -> Vec<Ink> {
+pub(crate) fn inks(kind: Kind, sight: &Sight, rest: &[Vector], (ends, curve): (&[Vector], &[Vector])) -> Vec<Ink> {
     let (from, to) = (ends[0], ends[1]);
     let line = || Outline::line(if curve.is_empty() { vec![from, to] } else { curve.to_vec() });
     match kind {
@@ -21,7 +24,7 @@ pub(crate) fn inks(kind: Kind, rest: &[Vector], ends: &[Vector], curve: &[Vector
             }
             inks
         }
-        Kind::Rod | Kind::Shaft => vec![Ink::new(Pen::Rod, line())],
+        Kind::Rod | Kind::Shaft | Kind::Bar => vec![Ink::new(Pen::Rod, line())],
         Kind::Line => vec![Ink::new(Pen::Thin, line())],
         Kind::Lever => vec![Ink::new(Pen::Rod, line())],
         Kind::Tie => vec![Ink::new(Pen::Thin, line())],
@@ -37,6 +40,7 @@ pub(crate) fn inks(kind: Kind, rest: &[Vector], ends: &[Vector], curve: &[Vector
         Kind::Pin => vec![Ink::new(Pen::Hollow, Outline::Disc(from, 4.5))],
         Kind::Slider(along) => joints::slider(from, along),
         Kind::ElasticHinge => joints::elastic(distance(rest[0], rest[1]), from, to),
+        Kind::Solid(solid) => solids::inks(solid, sight, ends),
         Kind::Other => bodies::other(from, to, curve),
     }
 }

@@ -6,6 +6,7 @@ use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_o
 use crate::kind::Kind;
 use crate::tree_places::{Beside, Edge, TreePlaces, places, way_of};
 use crate::vector::{Vector, plus};
+use crate::view::Sight;
 use mstmm_core::{DrawnPart, DrawnStep, DrawnTree, Freedoms, Space, TreeSketch};
 
 /// How deflections are drawn: along a direction, and whether rotations are drawn as such.
@@ -36,6 +37,8 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
         supports: Vec::new(),
         scale: scale.size,
         origin: scale.place([0.0; 2]),
+        sight: Sight::PLANE,
+        scene: None,
     };
     add_anchors(&mut figure, &steps, &place_of, &found, (scale, deflection));
     for (index, (step, edge)) in edges.iter().enumerate() {
@@ -141,7 +144,11 @@ fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize;
         let at = figure.anchors[ends[0]].at;
         let at = [at[0] + figure.scale * centre[0], at[1] - figure.scale * centre[1]];
         ends.push(figure.anchors.len());
-        figure.anchors.push(Anchor { at, moves: Moves::Tied { anchor: ends[0], arm: centre }, name: None });
+        figure.anchors.push(Anchor {
+            at,
+            moves: Moves::Tied { anchor: ends[0], arm: [centre[0], centre[1], 0.0] },
+            name: None,
+        });
     }
     let length = extent.output[0];
     let is_long = length > 0.0 && !matches!(kind, Kind::Body | Kind::Lever) && !step.space.contains(Freedoms::X);

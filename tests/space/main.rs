@@ -3,6 +3,7 @@
 mod buildings;
 mod cases;
 mod exact;
+mod example;
 mod laws;
 mod messages;
 mod motions;

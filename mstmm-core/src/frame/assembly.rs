@@ -6,11 +6,11 @@ use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
 use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
-use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, freedoms_in, is_one_direction};
+use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, is_one_direction};
 use crate::frame::paths::motions;
 use crate::model::{Tied, definite};
 use crate::pass::network::{self, Part, PlacedNode, SpatialEnd};
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, freedoms_in_part};
 use std::format;
 use std::string::String;
 use std::vec;
@@ -197,7 +197,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             planes.push((part, element, plane));
         }
         for (part, element, plane) in planes {
-            let ends = ends.map(|end| SpatialEnd { released: freedoms_in(part, end.released), ..end });
+            let ends = ends.map(|end| SpatialEnd { released: freedoms_in_part(part, end.released), ..end });
             self.parts.push(NetworkPart { ends, plane, element });
             self.called.push((String::from(called), part, parts.named));
         }

@@ -40,12 +40,6 @@ pub trait Dimension: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + '
     fn held_by(support: Support) -> Option<Freedoms>;
 }
 
-/// A dimension whose structures lie in a plane, as drawings show it.
-pub trait Flat: Dimension {}
-
-impl Flat for Line {}
-impl Flat for Plane {}
-
 /// Structures along a line, with one coordinate, whose members move across it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {}

@@ -5,8 +5,8 @@ use crate::elements::joint::Joint;
 use crate::frame::dimension::{Dimension, Plane, Space};
 use crate::frame::error::Mistake;
 use crate::frame::member::{FrameElement, FrameMember, OfJoint};
-use crate::frame::parts::{DISPLACEMENTS, MOST_PARTS, Parts, freedoms_in};
-use mstmm_plan::Freedoms;
+use crate::frame::parts::{DISPLACEMENTS, Parts};
+use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_in_part};
 
 /// A hinge: what it names is flexible, and what it does not name is rigid. Zero lets go.
 ///
@@ -160,7 +160,7 @@ fn parts(freedoms: Freedoms, hinge: &Hinge) -> Parts {
     for (part, element) in elements.iter_mut().enumerate() {
         let of = |list: &[Option<f64>; 6]| OF_PART[part].map(|place| place.and_then(|place| list[place]));
         let (stiffness, damping) = (of(&hinge.stiffness), of(&hinge.damping));
-        let own = freedoms_in(part, freedoms);
+        let own = freedoms_in_part(part, freedoms);
         let is_there = !own.is_empty() || stiffness.iter().chain(&damping).any(Option::is_some);
         *element = is_there.then(|| {
             if damping.iter().chain(&hinge.losses).all(Option::is_none) {

@@ -3,6 +3,7 @@
 mod assembly;
 mod bodies;
 mod dimension;
+mod drawn;
 mod ends;
 mod entries;
 mod error;
@@ -22,7 +23,7 @@ mod tensor;
 mod tests;
 
 pub use bodies::{PointMass, Rigid, RigidBody, RigidLink};
-pub use dimension::{Dimension, Flat, Line, Place, Plane, Space};
+pub use dimension::{Dimension, Line, Place, Plane, Space};
 pub use ends::{End, Ground, PathPoint};
 pub use entries::{Body, Frame, Named};
 pub use error::{BuildError, BuildErrors, Mistake};

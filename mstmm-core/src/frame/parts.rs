@@ -6,10 +6,7 @@ use crate::frame::dimension::Dimension;
 use crate::frame::error::Mistake;
 use crate::model::{MemberPlane, up_of};
 use crate::pass::network;
-use mstmm_plan::Freedoms;
-
-/// Most parts of a member.
-pub(crate) const MOST_PARTS: usize = 3;
+use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_of_part};
 
 /// The displacements, and the rotations.
 pub(crate) const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
@@ -27,13 +24,6 @@ pub(crate) struct Parts {
     /// A bit for each parameter that its section names.
     pub(crate) named: u32,
 }
-
-/// Freedoms of a member by those of its parts.
-const OF_PARTS: [[Option<Freedoms>; 3]; MOST_PARTS] = [
-    [Some(Freedoms::X), Some(Freedoms::Y), Some(Freedoms::RZ)],
-    [None, Some(Freedoms::Z), Some(Freedoms::RY)],
-    [None, None, Some(Freedoms::RX)],
-];
 
 impl Parts {
     /// An element that is all of a member.
@@ -63,7 +53,7 @@ impl Parts {
 
     /// The freedoms that it has at its ends, in its own axes.
     pub(crate) fn freedoms(&self) -> Freedoms {
-        let of_part = |(part, element): (usize, AnyMember<f64>)| freedoms_of(part, element.freedoms());
+        let of_part = |(part, element): (usize, AnyMember<f64>)| freedoms_of_part(part, element.freedoms());
         self.iter().map(of_part).fold(Freedoms::NONE, Freedoms::union)
     }
 
@@ -112,19 +102,6 @@ impl Parts {
         let up = up_of(along, self.up, self.is_symmetric).map_err(|_| Mistake::NoOrientation)?;
         Ok(if part == 0 { MemberPlane::First(up) } else { MemberPlane::Second(up) })
     }
-}
-
-/// What freedoms of a part are in its member.
-pub(crate) fn freedoms_of(part: usize, own: Freedoms) -> Freedoms {
-    let of_part = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
-    of_part.filter(|(single, _)| own.contains(*single)).filter_map(|(_, of)| of).fold(Freedoms::NONE, Freedoms::union)
-}
-
-/// What freedoms of a member are in a part.
-pub(crate) fn freedoms_in(part: usize, of_member: Freedoms) -> Freedoms {
-    let of_part = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
-    let held = of_part.filter(|(_, of)| of.is_some_and(|of| of_member.contains(of)));
-    held.map(|(single, _)| single).fold(Freedoms::NONE, Freedoms::union)
 }
 
 /// Sine of the angle between the directions of both ends of a joint up to which they are one, as two formulas of it are.

@@ -42,6 +42,12 @@ impl<D> Point<D> {
     }
 }
 
+impl<D> From<Point<D>> for PlanePoint<InFrame> {
+    fn from(point: Point<D>) -> Self {
+        point.label()
+    }
+}
+
 asked_along_y!([] Point<Line>, InFrame);
 asked_in_plane!([] Point<Line>, InFrame);
 asked_along_y!([] Point<Plane>, InFrame);

@@ -6,18 +6,17 @@ use crate::element::{
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
 use crate::frame::assembly::{Assembly, NetworkPart};
-use crate::frame::dimension::{Dimension, Flat};
+use crate::frame::dimension::Dimension;
 use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
-use crate::frame::holds::Hold;
 use crate::frame::in_space::{called_in, name_in};
 use crate::frame::point::InFrame;
-use crate::model::{FrequencyEstimates, Handle, MemberLabel, MotionError, PlanePoint, Spot, Tied};
+use crate::model::{FrequencyEstimates, Handle, MotionError, Skew, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::{
-    Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Motions, Network, NetworkError, Part, Placed,
-    PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, StiffnessModel, Vectors, flat,
+    Motions, Network, NetworkError, Part, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement,
+    StiffnessModel, Vectors,
 };
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
@@ -32,16 +31,16 @@ use std::vec::Vec;
 /// A built frame of members `E`.
 #[derive(Clone, Debug)]
 pub struct Framework<D, E: MemberElement> {
-    network: Network<E, Vectors>,
-    number: u32,
-    points: Vec<Tied>,
-    places: Vec<[f64; 3]>,
-    /// The supports: a point, what is held, and the direction along which it moves.
-    supports: Vec<(usize, Freedoms, Option<[f64; 3]>)>,
+    pub(super) network: Network<E, Vectors>,
+    pub(super) number: u32,
+    pub(super) points: Vec<Tied>,
+    pub(super) places: Vec<[f64; 3]>,
+    /// The supports: a point, what is held, and how it moves in a direction.
+    pub(super) supports: Vec<(usize, Freedoms, Option<Skew<f64>>)>,
     /// The node and the mass centre of each body.
     bodies: Vec<(usize, [f64; 3])>,
     /// The first part of each member of the frame in the network, and behind the last one. Parts of supports and of masses in a direction follow.
-    first_parts: Vec<usize>,
+    pub(super) first_parts: Vec<usize>,
     of: PhantomData<fn() -> D>,
 }
 
@@ -126,8 +125,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             .iter()
             .enumerate()
             .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
-        let direction = |hold: &Hold<D>| hold.skew.map(|skew| *skew.direction());
-        let supports = holds.map(|(point, hold)| (point, hold.freedoms, direction(hold))).collect();
+        let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.skew)).collect();
         let number = frame.number;
         Ok(Framework { network, number, points, places, supports, bodies, first_parts, of: PhantomData })
     }
@@ -314,50 +312,3 @@ where
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Undamped for Framework<D, E> where Self: RealPasses {}
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Spectrum for Framework<D, E> where Self: ComplexPasses {}
-
-impl<D: Flat, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> {
-    fn points(&self) -> impl Iterator<Item = DrawnPoint<InFrame, f64>> {
-        self.points.iter().enumerate().map(|(index, point)| DrawnPoint {
-            name: Spot::Point(index),
-            position: flat(self.places[index]),
-            node: point.node,
-            freedoms: point.freedoms,
-            label: PlanePoint::handle(Handle::in_frame(index, self.number)),
-        })
-    }
-
-    fn members(&self) -> impl Iterator<Item = DrawnMember<InFrame, f64>> {
-        self.network.kinds().iter().enumerate().take(self.first_parts.len() - 1).map(|(index, kind)| {
-            let label = MemberLabel::of(Handle::in_frame(index, self.number));
-            let placement = self.placement(index);
-            let point = |end: usize| {
-                let at = |point: &Tied| point.node == placement.node_of(end);
-                let here = |point: usize| at(&self.points[point]) && self.places[point] == placement.place_of(end);
-                (0..self.points.len()).find(|point| here(*point)).or_else(|| self.points.iter().position(at))
-            };
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(end)));
-            DrawnMember { name: Spot::Member(index), kind, freedoms: placement.freedoms, ends, label }
-        })
-    }
-
-    fn bodies(&self) -> impl Iterator<Item = DrawnBody<f64>> {
-        let nodes = (0..self.sizes()[0]).map(|node| (node, self.node(node)));
-        nodes.filter(|(_, (node, _))| node.has_body()).map(|(index, (node, motions))| DrawnBody {
-            name: self.spot(index),
-            mass: node.mass,
-            inertia: node.about_z(),
-            centre: (!motions.is_of_path).then_some(flat(node.centre)),
-            node: index,
-        })
-    }
-
-    fn supports(&self) -> impl Iterator<Item = DrawnSupport<f64>> {
-        self.supports.iter().map(|(point, held, along)| DrawnSupport {
-            name: Spot::Point(*point),
-            point: *point,
-            position: flat(self.places[*point]),
-            held: *held,
-            along: along.map(flat),
-        })
-    }
-}

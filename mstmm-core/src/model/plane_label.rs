@@ -249,6 +249,12 @@ impl<M> MemberEnd<M> {
     }
 }
 
+impl<M> From<MemberEnd<M>> for PlanePoint<M> {
+    fn from(end: MemberEnd<M>) -> Self {
+        end.point()
+    }
+}
+
 in_global_axes!(PlanePoint, self => self.site);
 in_global_axes!(MemberEnd, self => self.point().site);
 

@@ -11,6 +11,9 @@ mod modes;
 mod pictures;
 mod places;
 mod reading;
+mod space;
+mod space_frames;
+mod space_views;
 mod supports;
 mod trees;
 

@@ -13,10 +13,10 @@ const DIGIT: f64 = 0.0051;
 /// Models with one coordinate whose paths lie side by side: their y says which of them.
 const SIDE_BY_SIDE: &[&str] = &["double_beam"];
 
-fn close(picture: &Picture, drawn: [f64; 2], place: [f64; 2]) -> bool {
+fn close(picture: &Picture, drawn: [f64; 2], place: [f64; 3]) -> bool {
     let tolerance = DIGIT / picture.number("data-scale");
     let [x, y] = picture.in_model(drawn);
-    (x - place[0]).abs() <= tolerance && (y - place[1]).abs() <= tolerance
+    (x - place[0]).abs() <= tolerance && (y - place[1]).abs() <= tolerance && place[2] == 0.0
 }
 
 /// The first and the last corner of a part.
@@ -40,9 +40,9 @@ where
     let shown = picture.shown("model");
     let sketch = FrameAnalysis::sketch(frame);
     let points: Vec<_> = sketch.points().collect();
-    let at = |drawn: [f64; 2], place: [f64; 2]| {
+    let at = |drawn: [f64; 2], place: [f64; 3]| {
         let lane = if SIDE_BY_SIDE.contains(&name) { picture.in_model(drawn)[1] } else { place[1] };
-        assert!(close(&picture, drawn, [place[0], lane]), "{name}: {:?} and {place:?}", picture.in_model(drawn));
+        assert!(close(&picture, drawn, [place[0], lane, 0.0]), "{name}: {:?} and {place:?}", picture.in_model(drawn));
     };
     let mut count = 0;
     for point in &points {
@@ -115,7 +115,7 @@ fn check_tree(drawing: String, along: &[(&str, f64, f64)]) {
     for &(name, from, to) in along {
         let [start, end] = ends(find(&shown, name));
         assert!(
-            close(&picture, start, [from, 0.0]) && close(&picture, end, [to, 0.0]),
+            close(&picture, start, [from, 0.0, 0.0]) && close(&picture, end, [to, 0.0, 0.0]),
             "{name}: {:?}",
             picture.in_model(end)
         );
@@ -134,7 +134,7 @@ fn the_systems_of_the_paper_have_their_lengths() {
         let corners: Vec<[f64; 2]> = body.paths[0].iter().map(|corner| picture.in_model(*corner)).collect();
         let far = corners.iter().map(|corner| corner[0]).fold(0.0, f64::max);
         assert!((far - model.length - model.depth).abs() < 1e-4, "{far}");
-        assert!(close(&picture, body.paths[2][0], [model.length + model.eccentricity, 0.0]));
+        assert!(close(&picture, body.paths[2][0], [model.length + model.eccentricity, 0.0, 0.0]));
     }
     let model = models::restrained_beam();
     let picture = draw(Drawing::of(&model.build().unwrap()).map(|drawing| drawing.to_string()));
@@ -203,7 +203,7 @@ fn planar_trees_are_drawn_with_the_arms_of_bodies() {
     let picture = Picture::of(Drawing::of(&system).unwrap());
     let shown = picture.shown("model");
     let [start, end] = ends(find(&shown, "beam 3"));
-    assert!(close(&picture, start, [1.3, 0.5]) && close(&picture, end, [2.3, 0.5]));
+    assert!(close(&picture, start, [1.3, 0.5, 0.0]) && close(&picture, end, [2.3, 0.5, 0.0]));
 }
 
 system! {
@@ -221,6 +221,6 @@ fn a_link_leads_from_point_to_point() {
     let picture = Picture::of(Drawing::of(&linked).unwrap());
     let shown = picture.shown("model");
     let [from, to] = ends(find(&shown, "rigid_link 2"));
-    assert!(close(&picture, from, [2.0, 0.0]) && close(&picture, to, [2.0, 1.0]), "{from:?} {to:?}");
+    assert!(close(&picture, from, [2.0, 0.0, 0.0]) && close(&picture, to, [2.0, 1.0, 0.0]), "{from:?} {to:?}");
     assert_eq!(find(&shown, "rigid_link 2").kind, "rigid_link");
 }

@@ -7,12 +7,17 @@ pub(crate) struct Picture {
     text: String,
 }
 
+/// The corners of a path.
+pub(crate) type Corners = Vec<[f64; 2]>;
+
 /// A named part of a picture.
 pub(crate) struct Shown {
     pub(crate) name: String,
     pub(crate) kind: String,
     /// The corners of each of its paths; of a disc its middle.
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
+    /// The class of each of its paths.
+    pub(crate) classes: Vec<String>,
     /// Where a point or a support stands.
     pub(crate) at: Option<[f64; 2]>,
     /// The way from a support to the ground.
@@ -74,6 +79,26 @@ impl Picture {
         })
     }
 
+    /// The data of each moment of all animations, with the path that each one moves.
+    pub(crate) fn animations(&self) -> Vec<(Corners, Vec<Corners>)> {
+        self.read(|root| {
+            let animations = root.descendants().filter(|node| node.has_tag_name("animate"));
+            let read = |animation: Node<'_, '_>| {
+                let own = animation.parent().unwrap().attribute("d").unwrap();
+                (points(own), animation.attribute("values").unwrap().split(';').map(points).collect())
+            };
+            animations.map(read).collect()
+        })
+    }
+
+    /// Left and upper end, width and height.
+    pub(crate) fn view_box(&self) -> [f64; 4] {
+        self.read(|root| {
+            let numbers = root.attribute("viewBox").unwrap().split(' ').map(|number| number.parse().unwrap());
+            numbers.collect::<Vec<f64>>().try_into().unwrap()
+        })
+    }
+
     /// The data of each moment of the animation of a part's first path.
     pub(crate) fn moments(&self, name: &str) -> Vec<Vec<[f64; 2]>> {
         self.read(|root| {
@@ -82,6 +107,14 @@ impl Picture {
             let animation = part.descendants().find(|node| node.has_tag_name("animate")).unwrap();
             animation.attribute("values").unwrap().split(';').map(points).collect()
         })
+    }
+}
+
+impl Shown {
+    /// Its paths, halos or all others.
+    pub(crate) fn lines(&self, halos: bool) -> impl Iterator<Item = &Vec<[f64; 2]>> {
+        let of_class = move |class: &str| class.starts_with("halo") == halos;
+        self.paths.iter().zip(&self.classes).filter(move |(_, class)| of_class(class)).map(|(path, _)| path)
     }
 }
 
@@ -94,6 +127,11 @@ fn shown(group: Node<'_, '_>) -> Shown {
             .children()
             .filter(|child| child.has_tag_name("path"))
             .map(|path| points(path.attribute("d").unwrap()))
+            .collect(),
+        classes: group
+            .children()
+            .filter(|child| child.has_tag_name("path"))
+            .map(|path| path.attribute("class").unwrap().to_owned())
             .collect(),
         at: group.attribute("data-at").map(pair),
         ground: group.attribute("data-ground").map(pair),

@@ -2,15 +2,19 @@
 
 use crate::frames::for_each_frame;
 use crate::reading::{Picture, Shown};
-use mstmm::motion::Drawn;
+use mstmm::motion::{Drawn, Skew};
 use mstmm::network::Freedoms;
 use mstmm::prelude::*;
 use mstmm_drawing::Drawing;
 use paper::models;
 
 /// The symbol of what is held, and the direction across which its ground lies, where it has one.
-fn expected(held: Freedoms, along: Option<[f64; 2]>, is_plane: bool) -> (&'static str, Option<[f64; 2]>) {
+fn expected(held: Freedoms, skew: Option<Skew<f64>>, is_plane: bool) -> (&'static str, Option<[f64; 2]>) {
     let [x, y, rz] = [Freedoms::X, Freedoms::Y, Freedoms::RZ].map(|freedom| held.contains(freedom));
+    let along = skew.map(|skew| match skew {
+        Skew::Along([x, y, _]) => [x, y],
+        Skew::Normal([x, y, _]) => [-y, x],
+    });
     match (along, [x || !is_plane, y, rz]) {
         (Some(along), [_, _, false]) => ("roller", Some(along)),
         (Some(along), [_, _, true]) => ("guided", Some(along)),
@@ -34,12 +38,12 @@ where
     let sketch = FrameAnalysis::sketch(frame);
     let is_plane = sketch.points().any(|point| point.freedoms.contains(Freedoms::X));
     let holding: Vec<_> =
-        sketch.supports().filter(|support| !support.held.is_empty() || support.along.is_some()).collect();
+        sketch.supports().filter(|support| !support.held.is_empty() || support.skew.is_some()).collect();
     assert_eq!(shown.len(), holding.len(), "{name}");
     for (support, drawn) in holding.iter().zip(shown) {
         let own = support.name.to_string();
         assert_eq!(drawn.name, own);
-        let (symbol, along) = expected(support.held, support.along, is_plane);
+        let (symbol, along) = expected(support.held, support.skew, is_plane);
         // at a point that no element turns a clamp holds displacements alone
         let symbol = if own.starts_with("fixed") { "fixed" } else { symbol };
         assert_eq!(drawn.kind, symbol, "{name}: {own}");

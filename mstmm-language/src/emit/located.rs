@@ -49,7 +49,7 @@ pub(crate) fn located(
     let owned = own::own(network, skeleton, &names);
     let placed = system::placed(model, skeleton, &width, &names);
     let is_in_space = skeleton.dimension == Dimension::Space;
-    let drawn = if is_in_space { TokenStream::new() } else { drawn::drawn(model, &names) };
+    let drawn = drawn::drawn(model, &names);
     let charts = system::charts(skeleton, &names);
     let motions = system::motions(skeleton, &names);
     let overall = if is_in_space { TokenStream::new() } else { overall::overall(skeleton, &names) };

@@ -5,7 +5,7 @@ use super::{Axis, Body, Direction, End, Member, Node, Place, Plane, Point, Seat,
 use crate::ast::Element;
 use crate::keywords::{ALONG, Dimension, LocatedKeyword, NORMAL, ties};
 use crate::network::{self, Classes, FreedomSet, Holds, Joint, Network};
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_in_part};
 use syn::Expr;
 
 impl<'a> Skeleton<'a> {
@@ -28,20 +28,6 @@ impl<'a> Skeleton<'a> {
         network.paths.iter().for_each(|path| assembly.path(path));
         assembly.skeleton
     }
-}
-
-/// What the freedoms of a part of a member are in the member: along and across the part, and about its normal.
-const OF_PARTS: [[Freedoms; 3]; 3] = [
-    [Freedoms::X, Freedoms::Y, Freedoms::RZ],
-    [Freedoms::NONE, Freedoms::Z, Freedoms::RY],
-    [Freedoms::NONE, Freedoms::NONE, Freedoms::RX],
-];
-
-/// The freedoms that a part has of those of its member.
-fn freedoms_in(part: usize, of_member: Freedoms) -> Freedoms {
-    let own = Freedoms::SINGLE.into_iter().zip(OF_PARTS[part]);
-    let there = own.filter(|(_, of)| !of.is_empty() && of_member.contains(*of));
-    there.map(|(single, _)| single).fold(Freedoms::NONE, Freedoms::union)
 }
 
 /// The plane of a part.
@@ -213,8 +199,8 @@ impl<'a> Assembly<'a> {
     ) {
         let is_in_space = self.network.dimension == Dimension::Space;
         let mut is_further = false;
-        for part in 0..if is_in_space { OF_PARTS.len() } else { 1 } {
-            let freedoms = freedoms_in(part, tied);
+        for part in 0..if is_in_space { MOST_PARTS } else { 1 } {
+            let freedoms = freedoms_in_part(part, tied);
             if freedoms.is_empty() {
                 continue;
             }

@@ -403,6 +403,7 @@ const _: () = {
     }
     #[automatically_derived]
     impl<T: mstmm::__private::Real> mstmm::__private::Drawn for MastSystem<T> {
+        const IS_IN_SPACE: ::core::primitive::bool = SKETCH.is_in_space;
         fn points(
             &self,
         ) -> impl ::core::iter::Iterator<Item = mstmm::__private::DrawnPoint<Mast, T>> {

@@ -3,7 +3,7 @@
 use super::frames::{InclinedRoller, ThreePorts};
 use crate::portal;
 use mstmm::elements::Spring;
-use mstmm::motion::{Drawn, DrawnEnd};
+use mstmm::motion::{Drawn, DrawnEnd, Skew};
 use mstmm::network::{End, Freedoms, Member, Network, Node, Section, Support, UndampedMember};
 use mstmm::prelude::*;
 
@@ -11,7 +11,7 @@ use mstmm::prelude::*;
 const XY: Freedoms = Freedoms::X.union(Freedoms::Y);
 
 /// Name and coordinates of the points.
-fn points<Y: Drawn<Parameter = f64>>(system: &Y) -> Vec<(String, [f64; 2])> {
+fn points<Y: Drawn<Parameter = f64>>(system: &Y) -> Vec<(String, [f64; 3])> {
     system.sketch().points().map(|point| (point.name.to_string(), point.position)).collect()
 }
 
@@ -21,12 +21,12 @@ fn members<Y: Drawn<Parameter = f64>>(system: &Y) -> Vec<(String, &'static str, 
     system.sketch().members().map(|member| (member.name.to_string(), member.kind, ends(member.ends))).collect()
 }
 
-/// Name, point, held freedoms and direction of the supports.
-fn supports<Y: Drawn<Parameter = f64>>(system: &Y) -> Vec<(String, usize, Freedoms, Option<[f64; 2]>)> {
+/// Name, point, held freedoms and skew of the supports.
+fn supports<Y: Drawn<Parameter = f64>>(system: &Y) -> Vec<(String, usize, Freedoms, Option<Skew<f64>>)> {
     let support = |support: mstmm::motion::DrawnSupport<f64>| {
         let of_point = system.sketch().points().nth(support.point).map(|point| point.position);
         assert_eq!(of_point, Some(support.position));
-        (support.name.to_string(), support.point, support.held, support.along)
+        (support.name.to_string(), support.point, support.held, support.skew)
     };
     system.sketch().supports().map(support).collect()
 }
@@ -44,12 +44,12 @@ fn named<T>(list: Vec<(&str, T)>) -> Vec<(String, T)> {
 fn the_portal_is_as_it_is_written() {
     let portal = portal::steel().build().unwrap();
     let expected = vec![
-        ("fixed at beam 1", [0.0, 0.0]),
-        ("conn b", [0.0, 3.0]),
-        ("conn girder", [2.0, 3.0]),
-        ("conn c", [4.0, 3.0]),
-        ("conn foot", [4.0, 0.0]),
-        ("the point at beam 5", [4.0, 3.0]),
+        ("fixed at beam 1", [0.0, 0.0, 0.0]),
+        ("conn b", [0.0, 3.0, 0.0]),
+        ("conn girder", [2.0, 3.0, 0.0]),
+        ("conn c", [4.0, 3.0, 0.0]),
+        ("conn foot", [4.0, 0.0, 0.0]),
+        ("the point at beam 5", [4.0, 3.0, 0.0]),
     ];
     assert_eq!(points(&portal), named(expected));
     let expected = [
@@ -72,7 +72,7 @@ fn the_portal_is_as_it_is_written() {
     let bodies: Vec<_> = portal.sketch().bodies().collect();
     assert_eq!(bodies.len(), 1);
     assert_eq!(bodies[0].name.to_string(), "rigid_body 6");
-    assert_eq!((bodies[0].mass, bodies[0].inertia, bodies[0].centre), (500.0, 40.0, Some([2.0, 3.4])));
+    assert_eq!((bodies[0].mass, bodies[0].inertia, bodies[0].centre), (500.0, 40.0, Some([2.0, 3.4, 0.0])));
     let tied: Vec<String> = portal.sketch().points_of(bodies[0].node).map(|point| point.name.to_string()).collect();
     assert_eq!(tied, ["conn girder"]);
 }
@@ -81,22 +81,28 @@ fn the_portal_is_as_it_is_written() {
 fn a_body_ties_its_ports() {
     let system = ThreePorts { ea: 1e6, ei: 150.0, m: 1.2, stiffness: 900.0 }.build().unwrap();
     let body = system.sketch().bodies().next().unwrap();
-    assert_eq!((body.mass, body.inertia, body.centre), (4.0, 0.2, Some([1.2, 0.05])));
+    assert_eq!((body.mass, body.inertia, body.centre), (4.0, 0.2, Some([1.2, 0.05, 0.0])));
     let ports: Vec<_> =
         system.sketch().points_of(body.node).map(|port| (port.name.to_string(), port.position)).collect();
-    assert_eq!(ports, named(vec![("conn a", [1.0, 0.0]), ("conn b", [1.4, 0.3]), ("conn c", [1.2, -0.2])]));
+    assert_eq!(
+        ports,
+        named(vec![("conn a", [1.0, 0.0, 0.0]), ("conn b", [1.4, 0.3, 0.0]), ("conn c", [1.2, -0.2, 0.0])])
+    );
     let [from, to] = ends(&system, "spring 4");
     // the input of the spring is at the ground, which has no place
     assert_eq!((from.point, from.position, from.along, from.rests), (None, None, None, true));
-    assert_eq!((to.position, to.along, to.rests, to.node), (Some([1.2, -0.2]), Some([0.0, 1.0]), false, body.node));
+    assert_eq!(
+        (to.position, to.along, to.rests, to.node),
+        (Some([1.2, -0.2, 0.0]), Some([0.0, 1.0, 0.0]), false, body.node)
+    );
 }
 
 #[test]
 fn a_skew_roller_has_its_direction() {
     let system = InclinedRoller { length: 2.0, ea: 3e6, ei: 500.0, m: 2.0 }.build().unwrap();
     let roller = system.sketch().supports().nth(1).unwrap();
-    assert_eq!((roller.name.to_string().as_str(), roller.position), ("roller at beam 1", [2.0, 0.0]));
-    assert_eq!((roller.held, roller.along), (Freedoms::NONE, Some([12.0, 5.0])));
+    assert_eq!((roller.name.to_string().as_str(), roller.position), ("roller at beam 1", [2.0, 0.0, 0.0]));
+    assert_eq!((roller.held, roller.skew), (Freedoms::NONE, Some(Skew::Along([12.0, 5.0, 0.0]))));
 }
 
 system! {
@@ -115,11 +121,11 @@ system! {
 fn paths_have_directions_and_a_second_support_is_no_member() {
     let system = Cart { x: 4.0, mass: 0.75 }.build().unwrap();
     let expected = [
-        ("pinned at rigid_body 1", [0.0, 0.0], XY, None),
-        ("guided at conn b", [4.0, 0.0], Freedoms::RZ, Some([1.0, 2.0])),
-        ("fixed at conn anchor", [12.0, 2.5], XY, None),
+        ("pinned at rigid_body 1", [0.0, 0.0, 0.0], XY, None),
+        ("guided at conn b", [4.0, 0.0, 0.0], Freedoms::RZ, Some(Skew::Along([1.0, 2.0, 0.0]))),
+        ("fixed at conn anchor", [12.0, 2.5, 0.0], XY, None),
     ];
-    let found = system.sketch().supports().map(|support| (support.name, support.position, support.held, support.along));
+    let found = system.sketch().supports().map(|support| (support.name, support.position, support.held, support.skew));
     assert_eq!(
         found.map(|(name, position, held, along)| (name.to_string(), position, held, along)).collect::<Vec<_>>(),
         expected.map(|(name, position, held, along)| (name.to_owned(), position, held, along))
@@ -129,15 +135,21 @@ fn paths_have_directions_and_a_second_support_is_no_member() {
         vec![("mass 2", "tie"), ("spring 3", "Spring"), ("spring 4", "Spring"), ("torsion_spring 6", "TorsionSpring")];
     assert_eq!(kinds, named(expected));
     let [motion, contact] = ends(&system, "mass 2");
-    assert_eq!((motion.position, contact.position, contact.along), (None, Some([4.0, 0.0]), Some([3.0, -4.0])));
+    assert_eq!(
+        (motion.position, contact.position, contact.along),
+        (None, Some([4.0, 0.0, 0.0]), Some([3.0, -4.0, 0.0]))
+    );
     let [from, to] = ends(&system, "spring 4");
-    assert_eq!([from.position, to.position, from.along, to.along], [Some([4.0, 2.0]), Some([12.0, 2.5]), None, None]);
+    assert_eq!(
+        [from.position, to.position, from.along, to.along],
+        [Some([4.0, 2.0, 0.0]), Some([12.0, 2.5, 0.0]), None, None]
+    );
     let [ground, turned] = ends(&system, "torsion_spring 6");
-    assert_eq!((ground.point, ground.rests, turned.position, turned.along), (None, true, Some([4.0, 2.0]), None));
+    assert_eq!((ground.point, ground.rests, turned.position, turned.along), (None, true, Some([4.0, 2.0, 0.0]), None));
     let bodies = system.sketch().bodies().map(|body| (body.name.to_string(), (body.mass, body.inertia, body.centre)));
     let expected = vec![
-        ("rigid_body 1", (3.0, 0.5, Some([2.0, 1.0]))),
-        ("point_mass 5", (0.25, 0.0, Some([4.0, 2.0]))),
+        ("rigid_body 1", (3.0, 0.5, Some([2.0, 1.0, 0.0]))),
+        ("point_mass 5", (0.25, 0.0, Some([4.0, 2.0, 0.0]))),
         ("mass 2", (0.75, 0.0, None)),
     ];
     assert_eq!(bodies.collect::<Vec<_>>(), named(expected));
@@ -154,10 +166,10 @@ system! {
 #[test]
 fn a_line_lies_on_the_axis() {
     let line = Line {}.build().unwrap();
-    assert_eq!(points(&line), named(vec![("fixed at beam 1", [1.0, 0.0]), ("conn tip", [2.5, 0.0])]));
+    assert_eq!(points(&line), named(vec![("fixed at beam 1", [1.0, 0.0, 0.0]), ("conn tip", [2.5, 0.0, 0.0])]));
     let bends = Freedoms::Y.union(Freedoms::RZ);
     assert_eq!(supports(&line), [("fixed at beam 1".to_owned(), 0, bends, None)]);
-    assert_eq!(ends(&line, "spring 2").map(|end| end.along), [None, Some([0.0, 1.0])]);
+    assert_eq!(ends(&line, "spring 2").map(|end| end.along), [None, Some([0.0, 1.0, 0.0])]);
 }
 
 #[test]
@@ -175,21 +187,22 @@ fn a_list_has_indices_for_names() {
         Frame::new(1, 0, Spring { stiffness: 3.0 }).along([0.0, 2.0]),
     ];
     let system = Network::new(&nodes, &members_of).unwrap();
-    let expected = vec![("node 0", [0.0, 0.0]), ("node 1", [2.0, 0.0]), ("node 2", [4.0, 1.0])];
+    let expected = vec![("node 0", [0.0, 0.0, 0.0]), ("node 1", [2.0, 0.0, 0.0]), ("node 2", [4.0, 1.0, 0.0])];
     assert_eq!(points(&system), named(expected));
     let expected = [("member 0", "beam", [0, 1]), ("member 1", "beam", [1, 2]), ("member 2", "Spring", [1, 0])];
     assert_eq!(members(&system), expected.map(|(name, kind, ends)| (name.to_owned(), kind, ends.map(Some))));
     let [from, to] = ends(&system, "member 1");
-    assert_eq!((from.position, to.position), (Some([2.5, 0.5]), Some([4.0, 1.0])));
+    assert_eq!((from.position, to.position), (Some([2.5, 0.5, 0.0]), Some([4.0, 1.0, 0.0])));
     assert_eq!((from.released, to.released), (Freedoms::NONE, Freedoms::RZ));
     assert_eq!(
         ends(&system, "member 2").map(|end| (end.along, end.rests)),
-        [false, true].map(|rests| (Some([0.0, 2.0]), rests))
+        [false, true].map(|rests| (Some([0.0, 2.0, 0.0]), rests))
     );
-    let expected = [("node 0", 0, Freedoms::PLANE, None), ("node 2", 2, Freedoms::RZ, Some([1.0, 1.0]))];
+    let expected =
+        [("node 0", 0, Freedoms::PLANE, None), ("node 2", 2, Freedoms::RZ, Some(Skew::Along([1.0, 1.0, 0.0])))];
     assert_eq!(supports(&system), expected.map(|(name, point, held, along)| (name.to_owned(), point, held, along)));
     let bodies = system.sketch().bodies().map(|body| (body.name.to_string(), (body.mass, body.inertia, body.centre)));
-    assert_eq!(bodies.collect::<Vec<_>>(), named(vec![("node 1", (2.0, 0.5, Some([2.25, 0.125])))]));
+    assert_eq!(bodies.collect::<Vec<_>>(), named(vec![("node 1", (2.0, 0.5, Some([2.25, 0.125, 0.0])))]));
 }
 
 /// Oracle: a body turns about any of its points, `u = u₀ - θ (y - y₀)`, and the ends of beams move with their points.

@@ -4,7 +4,7 @@ use crate::model::{
     EndMotion, Handle, Hold, MemberPlane, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied,
 };
 use crate::number::Frequency;
-use crate::pass::network::vector::{ROTATIONS, Six, at_node, difference, moved};
+use crate::pass::network::vector::{ROTATIONS, Six, at_node, difference, displacements, moved, rotations};
 use crate::pass::network::{ActingLoad, NetworkMotion, PerNode, Placed, longest, size_on_node};
 use core::ops::Range;
 use mstmm_plan::Freedoms;
@@ -63,6 +63,24 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     /// [`MotionError::NoSuchPoint`] for a node that this system has not got.
     pub fn node(&self, node: usize) -> Result<[S; 3], MotionError> {
         self.all_of(node).map(|[x, y, turn, ..]| [x, y, turn])
+    }
+
+    /// The displacements of a point, or of the end of a member, along x, y and z \[m\] and its rotations about them \[rad\]; zero where no element
+    /// brings the motion.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a point or a member that this system has not got.
+    pub fn motion_of(&self, point: impl Into<PlanePoint<Y::Model>>) -> Result<[S; 6], MotionError> {
+        let site = point.into().site;
+        let mut own = self.displacements(site)?;
+        for (axis, value) in own.iter_mut().enumerate() {
+            match check_freedom(self.system, site, axis) {
+                Err(MotionError::NoSuchFreedom { .. }) => *value = S::zero(),
+                known => known?,
+            }
+        }
+        let ([x, y, z], [about_x, about_y, about_z]) = (displacements(own), rotations(own));
+        Ok([x, y, z, about_x, about_y, about_z])
     }
 
     /// All displacements of a node.

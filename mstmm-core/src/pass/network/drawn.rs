@@ -1,19 +1,22 @@
 //! What is drawn of a network: points, members, bodies and supports, each with its name and its coordinates.
 
 use crate::element::MemberElement;
-use crate::model::{MemberEnd, MemberLabel, PlanePoint, Spot, plain};
+use crate::model::{MemberEnd, MemberLabel, MemberPlane, PlanePoint, Skew, Spot, plain};
 use crate::number::{Parameter, Real};
 use crate::pass::network::memory::Memory;
-use crate::pass::network::node::flat;
 use crate::pass::network::placed::Placed;
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
 use crate::pass::network::structure::{InNetwork, Network};
-use mstmm_plan::Freedoms;
+use core::ops::Range;
+use mstmm_plan::{Freedoms, freedoms_of_part};
 
 /// A network of which a [`Sketch`](crate::Sketch) tells what is where.
 pub trait Drawn: Placed {
+    /// Whether its points have three coordinates.
+    const IS_IN_SPACE: bool = false;
+
     /// The points.
     fn points(&self) -> impl Iterator<Item = DrawnPoint<Self::Model, Self::Parameter>>;
 
@@ -31,8 +34,8 @@ pub trait Drawn: Placed {
 pub struct DrawnPoint<M, T> {
     /// What errors call it.
     pub name: Spot,
-    /// Its coordinates \[m\]; in a model with one coordinate y is zero.
-    pub position: [T; 2],
+    /// Its coordinates \[m\]; those that the model has not got are zero.
+    pub position: [T; 3],
     /// Index of the node that it moves with; a rigid body and all points that it ties are one.
     pub node: usize,
     /// The freedoms that elements bring there.
@@ -50,6 +53,8 @@ pub struct DrawnMember<M, T> {
     pub kind: &'static str,
     /// The freedoms in which it acts at its ends, in its own axes: X along it.
     pub freedoms: Freedoms,
+    /// Its own axes x, y and z, of length 1 each; none of what acts along one axis of space alone, and where there is no direction.
+    pub axes: Option<[[T; 3]; 3]>,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],
     /// The member as motions are asked about it.
@@ -61,10 +66,10 @@ pub struct DrawnEnd<M, T> {
     /// Index of its point in the order of the points; none at a motion of a path, which has no place.
     pub point: Option<usize>,
     /// Its coordinates \[m\]; in a list they may be others than those of its point, which ties it rigidly.
-    pub position: Option<[T; 2]>,
-    /// The direction in which a spring, a damper or a joint has its x axis here, of any length; none where that is the one from
-    /// the input end to the output end, and about an axis of rotation.
-    pub along: Option<[T; 2]>,
+    pub position: Option<[T; 3]>,
+    /// The direction in which a spring, a damper or a joint has its x axis here, of any length, in space that of an axis of rotation, too;
+    /// none where that is the one from the input end to the output end.
+    pub along: Option<[T; 3]>,
     /// The freedoms that it does not share with its point, in the axes of the member.
     pub released: Freedoms,
     /// Index of its node.
@@ -82,10 +87,10 @@ pub struct DrawnBody<T> {
     pub name: Spot,
     /// Mass \[kg\].
     pub mass: T,
-    /// Moment of inertia about the mass centre [kg m²].
+    /// Moment of inertia about an axis along z through the mass centre [kg m²].
     pub inertia: T,
     /// The mass centre \[m\]; none of a mass of a path.
-    pub centre: Option<[T; 2]>,
+    pub centre: Option<[T; 3]>,
     /// Index of the node that it moves with.
     pub node: usize,
 }
@@ -98,25 +103,26 @@ pub struct DrawnSupport<T> {
     /// Index of its point in the order of the points.
     pub point: usize,
     /// The coordinates of its point \[m\].
-    pub position: [T; 2],
+    pub position: [T; 3],
     /// The freedoms that it holds.
     pub held: Freedoms,
-    /// The direction along which the point moves, of any length; it is held across that besides.
-    pub along: Option<[T; 2]>,
+    /// The direction along which the point moves, held across it besides, or across which it moves, held along it; of any length.
+    pub skew: Option<Skew<T>>,
 }
 
 plain!(DrawnPoint<M, T: Parameter>, name, position, node, freedoms, label);
-plain!(DrawnMember<M, T: Parameter>, name, kind, freedoms, ends, label);
+plain!(DrawnMember<M, T: Parameter>, name, kind, freedoms, axes, ends, label);
 plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests, label);
 
 impl<M, T: Real> DrawnEnd<M, T> {
     /// The end of a member, given the index of its point, if it has one.
     pub(crate) fn of(placement: &Placement<T>, label: MemberLabel<M, ()>, end: usize, point: Option<usize>) -> Self {
-        let has_direction = point.is_some() && !placement.freedoms.is(Freedoms::RZ);
+        let turns_in_plane = placement.freedoms.is(Freedoms::RZ) && placement.plane() == MemberPlane::Structure;
+        let has_direction = point.is_some() && !turns_in_plane;
         DrawnEnd {
             point,
-            position: point.map(|_| flat(placement.place_of(end))),
-            along: placement.along(end).filter(|_| has_direction).map(flat),
+            position: point.map(|_| placement.place_of(end)),
+            along: placement.along(end).filter(|_| has_direction),
             released: placement.released(end),
             node: placement.node_of(end),
             rests: placement.rests(end),
@@ -131,7 +137,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let numbers = self.numbers(list);
         self.points.iter().enumerate().map(move |(index, point)| DrawnPoint {
             name: Spot::Named(point.name),
-            position: flat(numbers.place(point.place)),
+            position: numbers.place(point.place),
             node: point.node,
             freedoms: point.freedoms,
             label: self.label(index),
@@ -144,12 +150,16 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             Seat::Point(point) => Some(point),
             Seat::Node(_) => None,
         };
-        self.members.iter().enumerate().filter_map(move |(index, member)| {
-            let placement = system.placement(index);
+        let first = self.members.iter().enumerate().filter(|(_, member)| !member.is_further);
+        first.filter_map(move |(index, member)| {
+            let (placement, parts) = (system.placement(index), self.parts(index));
             let label = MemberLabel::member(index);
-            let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, point(&member.ends[end])));
-            let freedoms = placement.freedoms;
-            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, freedoms, ends, label })
+            let ends = [0, 1].map(|end| {
+                let released = together(system, parts.clone(), |part| part.released(end));
+                DrawnEnd { released, ..DrawnEnd::of(placement, label, end, point(&member.ends[end])) }
+            });
+            let (freedoms, axes) = (together(system, parts, |part| part.freedoms), placement.drawn_axes());
+            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, freedoms, axes, ends, label })
         })
     }
 
@@ -158,7 +168,7 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         let numbers = self.numbers(list);
         self.bodies.iter().enumerate().map(move |(index, body)| {
             let (mass, [.., inertia, _, _, _]) = (numbers.mass(index), numbers.inertia(index));
-            let centre = self.nodes[body.node].place.map(|_| flat(numbers.centre(index)));
+            let centre = self.nodes[body.node].place.map(|_| numbers.centre(index));
             DrawnBody { name: Spot::Named(body.name), mass, inertia, centre, node: body.node }
         })
     }
@@ -169,18 +179,28 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         self.supports.iter().map(move |support| DrawnSupport {
             name: Spot::Named(support.name),
             point: support.point,
-            position: flat(numbers.place(self.points[support.point].place)),
+            position: numbers.place(self.points[support.point].place),
             held: support.held,
-            along: support.skew.map(|skew| flat(numbers.direction(skew.direction()))),
+            skew: support.skew.map(|skew| self.skew(skew, &numbers)),
         })
     }
+}
+
+/// The freedoms of the parts of a member in its own axes, given those of each part.
+pub(crate) fn together<Y: Placed>(
+    system: &Y,
+    parts: Range<usize>,
+    of_part: impl Fn(&Placement<Y::Parameter>) -> Freedoms,
+) -> Freedoms {
+    let own = parts.map(|part| system.placement(part)).map(|part| freedoms_of_part(part.part(), of_part(part)));
+    own.fold(Freedoms::NONE, Freedoms::union)
 }
 
 impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
     fn points(&self) -> impl Iterator<Item = DrawnPoint<InNetwork, E::Parameter>> {
         self.nodes().iter().enumerate().map(|(index, node)| DrawnPoint {
             name: Spot::Node(index),
-            position: flat(node.position),
+            position: node.position,
             node: index,
             freedoms: Freedoms::PLANE,
             label: PlanePoint::node(index),
@@ -191,7 +211,8 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
         self.kinds().iter().enumerate().map(|(index, kind)| {
             let (placement, label) = (self.placement(index), MemberLabel::member(index));
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, Some(placement.node_of(end))));
-            DrawnMember { name: Spot::Member(index), kind, freedoms: placement.freedoms, ends, label }
+            let (freedoms, axes) = (placement.freedoms, placement.drawn_axes());
+            DrawnMember { name: Spot::Member(index), kind, freedoms, axes, ends, label }
         })
     }
 
@@ -201,7 +222,7 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
             name: Spot::Node(index),
             mass: node.mass,
             inertia: node.about_z(),
-            centre: Some(flat(node.centre)),
+            centre: Some(node.centre),
             node: index,
         })
     }
@@ -212,9 +233,9 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
         self.nodes().iter().enumerate().filter(move |(_, node)| is_held(node)).map(move |(index, node)| DrawnSupport {
             name: Spot::Node(index),
             point: index,
-            position: flat(node.position),
+            position: node.position,
             held: held(node),
-            along: node.skew.map(|skew| flat(*skew.direction())),
+            skew: node.skew,
         })
     }
 }

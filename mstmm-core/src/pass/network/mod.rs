@@ -33,6 +33,8 @@ pub(crate) mod vector;
 mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
+#[cfg(feature = "std")]
+pub(crate) use drawn::together;
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::network_pass;
@@ -45,8 +47,6 @@ pub use memory::{Arrays, Memory};
 pub(crate) use motion::{NetworkMotion, Wanted, longest, motion_under, motions_under, size_on_node};
 pub use motions::Motions;
 pub use node::Node;
-#[cfg(feature = "std")]
-pub(crate) use node::flat;
 pub(crate) use numbers::NumberPlaces;
 pub use overall::{PlacedTransfers, overall_determinant, overall_matrix};
 pub use overall_network::OverallNetwork;

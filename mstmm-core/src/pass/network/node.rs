@@ -54,11 +54,6 @@ impl<T: Parameter> Node<T> {
     }
 }
 
-/// A place in the plane.
-pub(crate) fn flat<T>([x, y, _]: [T; 3]) -> [T; 2] {
-    [x, y]
-}
-
 /// A place of the plane in space.
 pub(crate) fn in_space<T: Parameter>([x, y]: [T; 2]) -> [T; 3] {
     [x, y, T::zero()]

@@ -184,6 +184,17 @@ impl<T: Real> Placement<T> {
         }
     }
 
+    /// The axes x, y and z of the member, as drawings show them; none of what acts along one axis of space, and where there is no direction.
+    pub(crate) fn drawn_axes(&self) -> Option<[[T; 3]; 3]> {
+        let Axes { along, across, normal } = self.axes::<T>(0);
+        let axes = match self.plane {
+            MemberPlane::Structure | MemberPlane::First(_) => [along, across, normal],
+            MemberPlane::Second(_) => [along, normal.map(|part| -part), across],
+            MemberPlane::Along | MemberPlane::About => return None,
+        };
+        axes.iter().all(|axis| is_finite(*axis)).then_some(axes)
+    }
+
     /// The node of an end.
     pub(crate) fn node_of(&self, end: usize) -> usize {
         self.ends[end].index

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, MemberNumbers, build};
 use crate::model::{FrequencyEstimates, InvalidParameter, MemberPlane, ParameterError, Requirement, Skew, up_of};
-use crate::number::Real;
+use crate::number::{Parameter, Real};
 use crate::pass::network::memory::Arrays;
 use crate::pass::network::motions::Motions;
 use crate::pass::network::numbers::Numbers;
@@ -115,6 +115,18 @@ impl<T: Copy, const NODES: usize, const MEMBERS: usize> Skeleton<T, NODES, MEMBE
     }
 }
 
+impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
+    /// How a point moves where it does not along axes.
+    pub(super) fn skew<T: Parameter>(&self, skew: SketchedSkew, numbers: &Numbers<'_>) -> Skew<T> {
+        match (skew, numbers.direction::<T>(skew.direction())) {
+            (SketchedSkew::Along(_), along) => Skew::Along(along),
+            // the one direction of the plane across another one
+            (SketchedSkew::Normal(_), [x, y, _]) if !self.is_in_space => Skew::Along([-y, x, T::zero()]),
+            (SketchedSkew::Normal(_), normal) => Skew::Normal(normal),
+        }
+    }
+}
+
 /// A node with its place and what holds it, without its body.
 fn placed_node<T: Real, const NODES: usize, const MEMBERS: usize>(
     sketch: &NetworkSketch<NODES, MEMBERS>,
@@ -124,12 +136,7 @@ fn placed_node<T: Real, const NODES: usize, const MEMBERS: usize>(
     let node = &sketch.nodes[index];
     // a motion of a path has any place
     let position = node.place.map_or([T::zero(); 3], |place| numbers.place(place));
-    let skew = node.skew.map(|skew| match (skew, numbers.direction::<T>(skew.direction())) {
-        (SketchedSkew::Along(_), along) => Skew::Along(along),
-        // the one direction of the plane across another one
-        (SketchedSkew::Normal(_), [x, y, _]) if !sketch.is_in_space => Skew::Along([-y, x, T::zero()]),
-        (SketchedSkew::Normal(_), normal) => Skew::Normal(normal),
-    });
+    let skew = node.skew.map(|skew| sketch.skew(skew, numbers));
     PlacedNode { held: sketch.held(index), skew, ..PlacedNode::at(position) }
 }
 

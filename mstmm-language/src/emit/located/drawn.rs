@@ -12,6 +12,8 @@ pub(super) fn drawn(model: &Model, names: &Names) -> TokenStream {
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::Drawn for #system<#parameter> {
+            const IS_IN_SPACE: ::core::primitive::bool = SKETCH.is_in_space;
+
             fn points(&self) -> impl ::core::iter::Iterator<Item = #private::DrawnPoint<#model, #parameter>> {
                 SKETCH.drawn_points(&self.geometry)
             }
