@@ -57,7 +57,7 @@ pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS
 pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::member_numbers::{MemberNumbers, OwnPart};
-pub use element::member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
+pub use element::member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};

@@ -14,8 +14,8 @@ pub(crate) use elements::{
 };
 pub(crate) use in_space::{PAIRS, in_space};
 pub(crate) use located::{
-    ABOUT, ALONG, AT, DISPLACEMENTS, FREEDOMS, HELD, LOCATED, LocatedKeyword, NORMAL, RIGID_LINK, ROTATIONS, Role,
-    STRING_BETWEEN_PLACES, Tuple, freedom_of, located_of, ties,
+    ABOUT, ALONG, AT, FREEDOMS, HELD, LOCATED, LocatedKeyword, NORMAL, RIGID_LINK, Role, STRING_BETWEEN_PLACES, Tuple,
+    freedom_of, located_of, ties,
 };
 use mstmm_plan::Support;
 #[cfg(test)]

@@ -13,9 +13,9 @@ mod tests;
 mod text;
 
 use crate::ast::{Connection, Element};
-use crate::keywords::{DISPLACEMENTS, Dimension, ROTATIONS};
+use crate::keywords::Dimension;
 use crate::network::FreedomSet;
-use mstmm_plan::Freedoms;
+use mstmm_plan::{Freedoms, freedoms_of_part};
 use syn::Expr;
 
 /// A network as nodes and members.
@@ -150,6 +150,23 @@ impl Member<'_> {
     }
 }
 
+impl Member<'_> {
+    /// Which part of its member it is, if the macro knows that.
+    pub(crate) fn part(&self) -> Option<usize> {
+        match self.plane {
+            Plane::Structure | Plane::First(_) => Some(0),
+            Plane::Second(_) => Some(1),
+            Plane::OneMotion if self.freedoms.as_known()?.is(Freedoms::X) => Some(0),
+            Plane::OneMotion | Plane::Twist => Some(2),
+        }
+    }
+
+    /// The freedoms of its member that its ends do not share with their nodes.
+    fn released_of_member(&self) -> Freedoms {
+        self.part().map_or(Freedoms::NONE, |part| freedoms_of_part(part, self.released()))
+    }
+}
+
 /// What stands between two ends.
 #[derive(Clone, Copy)]
 pub(crate) enum What<'a> {
@@ -220,15 +237,17 @@ impl Node<'_> {
     pub(crate) fn known(&self) -> Option<[Freedoms; 2]> {
         let freedoms = self.freedoms.as_known()?;
         let held = self.held.union(self.all.without(freedoms));
-        Some([freedoms, if self.skew.is_some() { held.intersection(ROTATIONS) } else { held }])
+        Some([freedoms, if self.skew.is_some() { held.intersection(Freedoms::ROTATIONS) } else { held }])
     }
 
     /// The motions that its supports leave, as far as they are known.
     pub(crate) fn motions(&self) -> usize {
         let free = self.all.without(self.known().map_or(self.held, |[_, held]| held));
-        let rotations = free.intersection(ROTATIONS).count();
+        let rotations = free.intersection(Freedoms::ROTATIONS).count();
         match self.skew {
-            Some(Skew { is_normal: true, .. }) => self.all.intersection(DISPLACEMENTS).count() - 1 + rotations,
+            Some(Skew { is_normal: true, .. }) => {
+                self.all.intersection(Freedoms::DISPLACEMENTS).count() - 1 + rotations
+            }
             Some(_) => 1 + rotations,
             None => free.count(),
         }

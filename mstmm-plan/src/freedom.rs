@@ -31,6 +31,10 @@ impl Freedoms {
     pub const PLANE: Freedoms = Freedoms(0b111);
     /// All freedoms of space.
     pub const SPACE: Freedoms = Freedoms(0b11_1111);
+    /// The displacements along x, y and z.
+    pub const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
+    /// The rotations about x, y and z.
+    pub const ROTATIONS: Freedoms = Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ);
     /// Each freedom of the plane alone, in their order.
     pub const SINGLE: [Freedoms; 3] = [Freedoms::X, Freedoms::Y, Freedoms::RZ];
     /// Each freedom of space alone: those of the plane first.
@@ -70,6 +74,14 @@ impl Freedoms {
     #[inline]
     pub const fn is(self, other: Freedoms) -> bool {
         self.0 == other.0
+    }
+
+    /// The freedoms of space that axes of other directions may have where these have some: all displacements for one, and all rotations for one.
+    pub const fn in_any_axes(self) -> Freedoms {
+        let [moves, turns] = [Freedoms::DISPLACEMENTS, Freedoms::ROTATIONS];
+        let moved = if self.intersection(moves).is_empty() { Freedoms::NONE } else { moves };
+        let turned = if self.intersection(turns).is_empty() { Freedoms::NONE } else { turns };
+        moved.union(turned)
     }
 
     /// Number of freedoms.

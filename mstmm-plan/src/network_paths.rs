@@ -33,7 +33,7 @@ pub struct PathNode {
 const UNREACHED: usize = usize::MAX;
 
 impl PathMember {
-    /// No member.
+    /// No member, as further parts of one are.
     pub const NONE: Self = PathMember { nodes: [0; 2], freedoms: Freedoms::NONE, released: 0 };
 }
 
@@ -73,13 +73,16 @@ impl PathNode {
     }
 
     /// The freedoms whose forces are zero where a member goes on with fewer, in the axes of the member. A node that moves along one line
-    /// shares that motion with a member that has any translation.
+    /// shares that motion with a member that has any translation, one that turns about one axis with a member that has any rotation.
     pub const fn left_behind(&self, member: Freedoms) -> Freedoms {
-        const PLANE: Freedoms = Freedoms::X.union(Freedoms::Y);
-        let is_line = self.freedoms.intersection(PLANE).count() == 1;
-        let is_shared = is_line && !member.intersection(PLANE).is_empty();
-        let own = if is_shared { self.freedoms.without(PLANE) } else { self.freedoms };
-        own.without(member)
+        let displacements = self.not_shared(Freedoms::DISPLACEMENTS, member);
+        displacements.union(self.not_shared(Freedoms::ROTATIONS, member)).without(member)
+    }
+
+    /// The freedoms of a set that the node has, but for one alone where a member has any of them.
+    const fn not_shared(&self, all: Freedoms, member: Freedoms) -> Freedoms {
+        let own = self.freedoms.intersection(all);
+        if own.count() == 1 && !member.intersection(all).is_empty() { Freedoms::NONE } else { own }
     }
 }
 
@@ -91,10 +94,11 @@ impl PathNode {
 pub const fn lead_paths(nodes: &mut [PathNode], members: &[PathMember]) {
     let mut node = root(nodes);
     let mut rank = 0;
+    let widest = widest(members);
     loop {
         nodes[node].rank = rank;
         rank += 1;
-        let Some(end) = widest_end(nodes, members) else { break };
+        let Some(end) = widest_end(nodes, members, widest) else { break };
         node = members[end / 2].nodes[end % 2];
         nodes[node].leaving = Some(end);
     }
@@ -102,7 +106,7 @@ pub const fn lead_paths(nodes: &mut [PathNode], members: &[PathMember]) {
     while end < 2 * members.len() {
         let PathMember { nodes: pair, freedoms, .. } = members[end / 2];
         let node = &mut nodes[pair[end % 2]];
-        let brings_all = freedoms.count() == node.freedoms.count();
+        let brings_all = !freedoms.is_empty() && freedoms.count() == node.freedoms.count();
         if brings_all && node.reference.is_none() && !node.leaves_by(end) {
             node.reference = Some(end);
         }
@@ -129,12 +133,24 @@ const fn root(nodes: &[PathNode]) -> usize {
     best
 }
 
-/// The end, at a node that is not reached yet, of the widest member that leads from there to one that is.
-const fn widest_end(nodes: &[PathNode], members: &[PathMember]) -> Option<usize> {
+/// The largest number of freedoms of a member.
+const fn widest(members: &[PathMember]) -> usize {
+    let (mut widest, mut member) = (0, 0);
+    while member < members.len() {
+        let width = members[member].freedoms.count();
+        if width > widest {
+            widest = width;
+        }
+        member += 1;
+    }
+    widest
+}
+
+/// The end, at a node that is not reached yet, of the widest member that leads from there to one that is; none is wider than a given width.
+const fn widest_end(nodes: &[PathNode], members: &[PathMember], widest: usize) -> Option<usize> {
     let (mut best, mut width) = (None, 0);
     let mut end = 0;
-    // nothing is wider than all freedoms
-    while end < 2 * members.len() && width < Freedoms::PLANE.count() {
+    while end < 2 * members.len() && width < widest {
         let PathMember { nodes: pair, freedoms, .. } = members[end / 2];
         let leads = nodes[pair[end % 2]].rank == UNREACHED && nodes[pair[1 - end % 2]].rank != UNREACHED;
         if leads && freedoms.count() > width {

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a structure that cannot be built fails the test")]
 
 mod one_thing;
+mod overall;
 mod portal;
 mod workshop;
 

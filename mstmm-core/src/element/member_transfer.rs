@@ -6,34 +6,12 @@ use crate::model::StateSpace;
 use crate::number::{Scalar, Single};
 use mstmm_plan::{Coordinate, Freedoms, WIDEST};
 
-/// The state of a path at a point: displacements x, y \[m\] and rotation \[rad\], and the force \[N\] and moment [N m] that what lies
-/// upstream exerts on what follows.
+/// The state of a member, or of a part of one, at an end: displacements along and across it \[m\] and rotation \[rad\], and the forces \[N\] and the
+/// moment [N m] that what lies upstream exerts on what follows.
 #[derive(Clone, Copy, Debug)]
-pub struct PathState<S> {
+pub struct PartState<S> {
     pub(crate) displacements: [S; 3],
     pub(crate) forces: [S; 3],
-}
-
-impl<S: Scalar> PathState<S> {
-    /// At rest, without forces.
-    pub(crate) fn zero() -> Self {
-        PathState { displacements: [S::zero(); 3], forces: [S::zero(); 3] }
-    }
-
-    /// The state without the entries of other freedoms.
-    pub(crate) fn of_freedoms(mut self, freedoms: Freedoms) -> Self {
-        for (k, freedom) in Freedoms::SINGLE.into_iter().enumerate() {
-            if !freedoms.contains(freedom) {
-                (self.displacements[k], self.forces[k]) = (S::zero(), S::zero());
-            }
-        }
-        self
-    }
-
-    /// The state of what meets this one from the other side.
-    pub(crate) fn opposite(self) -> Self {
-        PathState { forces: self.forces.map(|force| -force), ..self }
-    }
 }
 
 /// The transfer matrix of a member, in its axes, and the factor that removes its poles.
@@ -60,13 +38,13 @@ impl<S: Scalar> MemberTransfer<S> {
     }
 
     /// The state behind the member.
-    pub(crate) fn of(&self, state: PathState<S>) -> PathState<S> {
-        let PathState { displacements, forces } = state;
+    pub(crate) fn of(&self, state: PartState<S>) -> PartState<S> {
+        let PartState { displacements, forces } = state;
         let entry = |row: usize| {
             let states = displacements.iter().chain(&forces);
             self.matrix[row].iter().zip(states).fold(S::zero(), |sum, (entry, state)| sum + *entry * *state)
         };
-        PathState { displacements: [0, 1, 2].map(entry), forces: [3, 4, 5].map(entry) }
+        PartState { displacements: [0, 1, 2].map(entry), forces: [3, 4, 5].map(entry) }
     }
 }
 

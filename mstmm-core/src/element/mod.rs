@@ -23,7 +23,7 @@ pub(crate) use member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub(crate) use member_numbers::{
     BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, TaperedNumbers,
 };
-pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PathState, member_transfer};
+pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};
 pub(crate) use moving::{CoefficientsOf, Moving};
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};
 pub(crate) use visit::{Visit, VisitStep};

@@ -6,7 +6,7 @@ use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
 use crate::frame::entries::{Frame, MemberEntry};
 use crate::frame::error::{BuildError, Mistake};
-use crate::frame::parts::{DISPLACEMENTS, Parts, ROTATIONS, is_one_direction};
+use crate::frame::parts::{Parts, is_one_direction};
 use crate::frame::paths::motions;
 use crate::model::{Tied, definite};
 use crate::pass::network::{self, Part, PlacedNode, SpatialEnd};
@@ -117,7 +117,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             for class in &mut first {
                 *class = if classes.contains(class) { least } else { *class };
             }
-            let brought = if body.rigid.turns { Freedoms::SPACE } else { DISPLACEMENTS };
+            let brought = if body.rigid.turns { Freedoms::SPACE } else { Freedoms::DISPLACEMENTS };
             for point in tied.into_iter().flatten() {
                 self.bring(point, brought);
             }
@@ -287,10 +287,10 @@ impl<'f, D: Dimension> Assembly<'f, D> {
                 let (node, place) = (self.points[point].node, end.place.map_or(self.place(point), D::in_space));
                 let is_elsewhere = place != self.nodes[node].position;
                 // where its point turns, an end beside it moves
-                let arm = if place == self.place(point) { Freedoms::NONE } else { ROTATIONS };
+                let arm = if place == self.place(point) { Freedoms::NONE } else { Freedoms::ROTATIONS };
                 // rotations come together, unless the end lets go of all that the member has
-                let own = parts.freedoms().intersection(ROTATIONS);
-                let let_go = if end.released.contains(own) { ROTATIONS } else { Freedoms::NONE };
+                let own = parts.freedoms().intersection(Freedoms::ROTATIONS);
+                let let_go = if end.released.contains(own) { Freedoms::ROTATIONS } else { Freedoms::NONE };
                 self.bring(point, parts.brought::<D>().without(let_go).union(arm));
                 SpatialEnd { node, place: is_elsewhere.then_some(place), along: None, released: end.released }
             }
@@ -322,7 +322,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         for tied in &self.points {
             let node = &mut self.nodes[tied.node];
             // displacements of a skew node are held as its direction says
-            let of_direction = if node.skew.is_some() { DISPLACEMENTS } else { Freedoms::NONE };
+            let of_direction = if node.skew.is_some() { Freedoms::DISPLACEMENTS } else { Freedoms::NONE };
             node.held = node.held.union(Freedoms::SPACE.without(of_nodes[tied.node]).without(of_direction));
         }
         if self.frame.members.is_empty() {

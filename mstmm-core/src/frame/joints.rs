@@ -5,7 +5,7 @@ use crate::elements::joint::Joint;
 use crate::frame::dimension::{Dimension, Plane, Space};
 use crate::frame::error::Mistake;
 use crate::frame::member::{FrameElement, FrameMember, OfJoint};
-use crate::frame::parts::{DISPLACEMENTS, Parts};
+use crate::frame::parts::Parts;
 use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_in_part};
 
 /// A hinge: what it names is flexible, and what it does not name is rigid. Zero lets go.
@@ -126,12 +126,12 @@ impl Tie {
 
     /// Two points share displacements, and no rotation.
     pub const fn ball() -> Self {
-        Tie::of(DISPLACEMENTS)
+        Tie::of(Freedoms::DISPLACEMENTS)
     }
 
     /// Two points share displacements and the rotation about x.
     pub const fn universal() -> Self {
-        Tie::of(DISPLACEMENTS.union(Freedoms::RX))
+        Tie::of(Freedoms::DISPLACEMENTS.union(Freedoms::RX))
     }
 
     /// Two points share all but the rotation about x.
@@ -197,7 +197,7 @@ impl<D: Dimension> FrameElement<D> for Pin {
     type Kind = OfJoint;
 
     fn member(self) -> FrameMember {
-        FrameMember::of_parts(Ok(parts(DISPLACEMENTS.intersection(D::FREEDOMS), &Hinge::new())))
+        FrameMember::of_parts(Ok(parts(Freedoms::DISPLACEMENTS.intersection(D::FREEDOMS), &Hinge::new())))
     }
 }
 

@@ -6,7 +6,6 @@ use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
 use crate::frame::error::Mistake;
 use crate::frame::joints::rigid;
-use crate::frame::parts::{DISPLACEMENTS, ROTATIONS};
 use crate::pass::network::{PlacedNode, SpatialEnd};
 use mstmm_plan::Freedoms;
 use std::string::String;
@@ -29,8 +28,8 @@ impl<D: Dimension> Assembly<'_, D> {
                     return self.fail(part, Mistake::OtherFrame);
                 };
                 let arm = on.place.is_some_and(|place| D::in_space(place) != self.place(point));
-                let brought = if on.turns { ROTATIONS } else { DISPLACEMENTS };
-                self.bring(point, if arm { brought.union(ROTATIONS) } else { brought });
+                let brought = if on.turns { Freedoms::ROTATIONS } else { Freedoms::DISPLACEMENTS };
+                self.bring(point, if arm { brought.union(Freedoms::ROTATIONS) } else { brought });
                 let (node, place) = (self.points[point].node, on.place.map_or(self.place(point), D::in_space));
                 let Some(direction) = on.along.or(D::ACROSS) else {
                     self.nodes[node] = self.nodes[node].and_body(mass, [0.0; 6], place);

@@ -9,8 +9,6 @@ use crate::pass::network;
 use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_of_part};
 
 /// The displacements, and the rotations.
-pub(crate) const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
-pub(crate) const ROTATIONS: Freedoms = Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ);
 
 /// The elements of a member in its planes: x and y with the rotation about z, x and z with that about -y, and the rotation about x. In a plane
 /// structure, and of what has one motion, the first one is all.
@@ -60,10 +58,10 @@ impl Parts {
     /// The freedoms that it brings to a point of a dimension.
     pub(crate) fn brought<D: Dimension>(&self) -> Freedoms {
         let brought = match self.motion() {
-            Some(motion) if motion.is(Freedoms::RZ) => ROTATIONS,
-            Some(_) => DISPLACEMENTS,
+            Some(motion) if motion.is(Freedoms::RZ) => Freedoms::ROTATIONS,
+            Some(_) => Freedoms::DISPLACEMENTS,
             // joints share what they tie, and what they let go moves on both sides
-            None if self.freedoms().intersection(ROTATIONS).is_empty() => DISPLACEMENTS,
+            None if self.freedoms().intersection(Freedoms::ROTATIONS).is_empty() => Freedoms::DISPLACEMENTS,
             None => Freedoms::SPACE,
         };
         brought.intersection(D::FREEDOMS)

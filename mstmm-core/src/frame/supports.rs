@@ -4,7 +4,6 @@ use crate::frame::assembly::{Assembly, at_node};
 use crate::frame::dimension::Dimension;
 use crate::frame::error::Mistake;
 use crate::frame::joints::rigid;
-use crate::frame::parts::DISPLACEMENTS;
 use crate::model::{Hold, Skew, Tied};
 use crate::pass::network::{self, PlacedNode, SpatialEnd};
 use mstmm_plan::Freedoms;
@@ -29,7 +28,9 @@ impl<D: Dimension> Assembly<'_, D> {
         let held = match hold.skew {
             None => hold.freedoms,
             // across a direction it is held, or along it
-            Some(Skew::Along(_)) => hold.freedoms.union(DISPLACEMENTS.without(Freedoms::X).intersection(D::FREEDOMS)),
+            Some(Skew::Along(_)) => {
+                hold.freedoms.union(Freedoms::DISPLACEMENTS.without(Freedoms::X).intersection(D::FREEDOMS))
+            }
             Some(Skew::Normal(_)) => hold.freedoms.union(Freedoms::X),
         };
         let holding = if is_second {
@@ -46,7 +47,8 @@ impl<D: Dimension> Assembly<'_, D> {
             (own.held, own.skew) = (hold.freedoms, hold.skew);
             node
         };
-        let skewed = if hold.skew.is_some() { DISPLACEMENTS.intersection(D::FREEDOMS) } else { Freedoms::NONE };
+        let skewed =
+            if hold.skew.is_some() { Freedoms::DISPLACEMENTS.intersection(D::FREEDOMS) } else { Freedoms::NONE };
         self.points[point].hold = Some(Hold { node: holding, freedoms: hold.freedoms.union(skewed) });
     }
 }

@@ -100,8 +100,6 @@ impl LocatedKeyword {
 }
 
 /// The displacements of a point, and its rotations.
-pub(crate) const DISPLACEMENTS: Freedoms = Freedoms::X.union(Freedoms::Y).union(Freedoms::Z);
-pub(crate) const ROTATIONS: Freedoms = Freedoms::RX.union(Freedoms::RY).union(Freedoms::RZ);
 const BOTH: Freedoms = Freedoms::SPACE;
 
 const fn keyword(name: &'static str, role: Role, brings: Freedoms) -> LocatedKeyword {
@@ -120,7 +118,7 @@ const fn joint(name: &'static str, has_axis: bool, instead: [&'static str; 2]) -
         own: Some(if has_axis { &["axis"] } else { &[] }),
         tuples: if has_axis { &[("axis", Tuple::Direction)] } else { &[] },
         instead: [Some(line), Some(plane), None],
-        ..keyword(name, Role::Joint, if has_axis { BOTH } else { DISPLACEMENTS })
+        ..keyword(name, Role::Joint, if has_axis { BOTH } else { Freedoms::DISPLACEMENTS })
     }
 }
 
@@ -131,21 +129,24 @@ pub(crate) const RIGID_LINK: &str = "rigid_link";
 const UP: &[(&str, Tuple)] = &[("up", Tuple::Direction)];
 
 /// A string between two places, which names no length.
-pub(crate) const STRING_BETWEEN_PLACES: LocatedKeyword =
-    LocatedKeyword { instead: [Some("beam"), None, None], tuples: UP, ..keyword(STRING, Role::Member, DISPLACEMENTS) };
+pub(crate) const STRING_BETWEEN_PLACES: LocatedKeyword = LocatedKeyword {
+    instead: [Some("beam"), None, None],
+    tuples: UP,
+    ..keyword(STRING, Role::Member, Freedoms::DISPLACEMENTS)
+};
 
 #[rustfmt::skip]
 pub(crate) const LOCATED: &[LocatedKeyword] = &[
-    keyword("spring", Role::Path, DISPLACEMENTS),
-    keyword("torsion_spring", Role::Path, ROTATIONS),
-    keyword("damper", Role::Path, DISPLACEMENTS),
-    keyword("torsion_damper", Role::Path, ROTATIONS),
-    keyword("mass", Role::Path, DISPLACEMENTS),
-    keyword("inertia", Role::Path, ROTATIONS),
-    keyword(STRING, Role::Path, DISPLACEMENTS),
-    keyword("rod", Role::Path, DISPLACEMENTS),
-    keyword("shaft", Role::Path, ROTATIONS),
-    LocatedKeyword { tuples: &[("inertia", Tuple::Tensor)], ..keyword("point_mass", Role::PointMass, DISPLACEMENTS) },
+    keyword("spring", Role::Path, Freedoms::DISPLACEMENTS),
+    keyword("torsion_spring", Role::Path, Freedoms::ROTATIONS),
+    keyword("damper", Role::Path, Freedoms::DISPLACEMENTS),
+    keyword("torsion_damper", Role::Path, Freedoms::ROTATIONS),
+    keyword("mass", Role::Path, Freedoms::DISPLACEMENTS),
+    keyword("inertia", Role::Path, Freedoms::ROTATIONS),
+    keyword(STRING, Role::Path, Freedoms::DISPLACEMENTS),
+    keyword("rod", Role::Path, Freedoms::DISPLACEMENTS),
+    keyword("shaft", Role::Path, Freedoms::ROTATIONS),
+    LocatedKeyword { tuples: &[("inertia", Tuple::Tensor)], ..keyword("point_mass", Role::PointMass, Freedoms::DISPLACEMENTS) },
     LocatedKeyword { tuples: &[("axis", Tuple::Direction), ("up", Tuple::Direction)], ..keyword("hinge", Role::Joint, BOTH) },
     refused("body", RIGID_BODY),
     LocatedKeyword { tuples: UP, ..keyword("beam", Role::Member, BOTH) },
@@ -153,7 +154,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
         released: Freedoms::RZ,
         tuples: UP,
         instead: [Some("beam"), None, None],
-        ..keyword(BAR, Role::Member, DISPLACEMENTS)
+        ..keyword(BAR, Role::Member, Freedoms::DISPLACEMENTS)
     },
     STRING_BETWEEN_PLACES,
     LocatedKeyword {
@@ -165,7 +166,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     LocatedKeyword {
         own: Some(&[]),
         instead: [None, None, Some("revolute_joint { axis: (..) }` or `ball_joint {}")],
-        ..keyword("pin", Role::Joint, DISPLACEMENTS)
+        ..keyword("pin", Role::Joint, Freedoms::DISPLACEMENTS)
     },
     LocatedKeyword {
         tuples: &[("along", Tuple::Direction)],
@@ -184,8 +185,8 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
 /// What a joint ties rigidly, in its own axes, of those freedoms that the dimension has; a hinge ties all that it does not name.
 pub(crate) fn ties(joint: &str) -> Freedoms {
     match joint {
-        "pin" | "ball_joint" => DISPLACEMENTS,
-        "universal_joint" => DISPLACEMENTS.union(Freedoms::RX),
+        "pin" | "ball_joint" => Freedoms::DISPLACEMENTS,
+        "universal_joint" => Freedoms::DISPLACEMENTS.union(Freedoms::RX),
         "revolute_joint" => BOTH.without(Freedoms::RX),
         // both move along x
         "slider" | "prismatic_joint" => BOTH.without(Freedoms::X),

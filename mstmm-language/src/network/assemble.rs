@@ -9,7 +9,7 @@ use super::hand_over::{
 use super::paths::{Contact, Path, PathMotion, Paths};
 use super::points::Points;
 use crate::ast::{self, Connection, Element};
-use crate::keywords::{DISPLACEMENTS, Dimension, ROTATIONS, Role, freedom_of, support_of};
+use crate::keywords::{Dimension, Role, freedom_of, support_of};
 use mstmm_plan::Freedoms;
 use mstmm_plan::Support::{Fixed, Guided, Pinned, Roller};
 use syn::ext::IdentExt;
@@ -190,11 +190,11 @@ fn holds(support: &ast::Support, dimension: Dimension, freedoms: Freedoms) -> Ho
     let keyword = support_of(&support.keyword.to_string());
     match (keyword, &support.direction) {
         (Some(Roller), Some(direction)) => Holds::Skew(direction, Freedoms::NONE),
-        (Some(Guided), Some(direction)) => Holds::Skew(direction, ROTATIONS.intersection(freedoms)),
+        (Some(Guided), Some(direction)) => Holds::Skew(direction, Freedoms::ROTATIONS.intersection(freedoms)),
         (keyword, _) => {
             let held = match keyword {
                 Some(Fixed) => Freedoms::SPACE,
-                Some(Pinned) if dimension == Dimension::Space => DISPLACEMENTS,
+                Some(Pinned) if dimension == Dimension::Space => Freedoms::DISPLACEMENTS,
                 keyword => keyword.map_or(Freedoms::NONE, mstmm_plan::Support::holds),
             };
             Holds::Freedoms(held.intersection(freedoms))

@@ -4,7 +4,7 @@ use super::graph::Graph;
 use super::paths::{PathMotion, Paths};
 use super::points::Points;
 use crate::ast::Element;
-use crate::keywords::{DISPLACEMENTS, Dimension, ROTATIONS, Role};
+use crate::keywords::{Dimension, Role};
 use mstmm_plan::Freedoms;
 use syn::ext::IdentExt;
 
@@ -47,8 +47,8 @@ impl<'a> FreedomSet<'a> {
     fn bring(&mut self, motion: PathMotion<'a>) {
         match motion {
             PathMotion::Of(element) => self.own.push(element),
-            PathMotion::Translation => self.bring_known(DISPLACEMENTS),
-            PathMotion::Rotation => self.bring_known(ROTATIONS),
+            PathMotion::Translation => self.bring_known(Freedoms::DISPLACEMENTS),
+            PathMotion::Rotation => self.bring_known(Freedoms::ROTATIONS),
         }
     }
 
@@ -73,7 +73,7 @@ pub(crate) fn freedoms<'a>(
             }
             Role::PointMass => {
                 let turns = graph.vertices[vertex].as_element().is_some_and(has_inertia);
-                let inertia = if turns { ROTATIONS } else { Freedoms::NONE };
+                let inertia = if turns { Freedoms::ROTATIONS } else { Freedoms::NONE };
                 freedoms[points.point(vertex)].bring_known(row.brings.union(inertia));
             }
             Role::Connection | Role::Support | Role::Path | Role::Unknown => {}

@@ -4,7 +4,8 @@ use super::classes::Classes;
 use super::graph::Graph;
 use super::points::Points;
 use crate::ast::Element;
-use crate::keywords::{ROTATIONS, Role};
+use crate::keywords::Role;
+use mstmm_plan::Freedoms;
 
 /// The one motion of a path.
 #[derive(Clone, Copy)]
@@ -92,7 +93,7 @@ fn motion<'a>(graph: &Graph<'a>, elements: &[usize]) -> PathMotion<'a> {
     let of_keyword = |&element: &usize| graph.vertices[element].row().map(|row| row.brings);
     let own = elements.first().and_then(|&first| graph.vertices[first].as_element());
     match (elements.iter().find_map(of_keyword), own) {
-        (Some(ROTATIONS), _) => PathMotion::Rotation,
+        (Some(Freedoms::ROTATIONS), _) => PathMotion::Rotation,
         (None, Some(element)) => PathMotion::Of(element),
         _ => PathMotion::Translation,
     }

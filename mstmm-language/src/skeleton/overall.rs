@@ -2,7 +2,7 @@
 
 use super::Skeleton;
 use crate::keywords::Dimension;
-use mstmm_plan::{PathMember, PathNode, is_cut, lead_paths, unknowns};
+use mstmm_plan::{Freedoms, PathMember, PathNode, freedoms_of_part, is_cut, lead_paths, unknowns};
 
 /// What the documentation of a built system says of the overall transfer equation.
 pub(crate) struct Overall<'s> {
@@ -15,31 +15,43 @@ pub(crate) struct Overall<'s> {
 }
 
 impl Skeleton<'_> {
-    /// The overall transfer equation; none in space, and where rustc alone knows the freedoms of a member. The skeleton hangs together.
+    /// The overall transfer equation; none where rustc alone knows the freedoms of a member. The skeleton hangs together.
     pub(crate) fn overall(&self) -> Option<Overall<'_>> {
-        if self.dimension == Dimension::Space {
-            return None;
-        }
+        let is_in_space = self.dimension == Dimension::Space;
         let node = |(index, node): (usize, &super::Node<'_>)| {
             let [freedoms, held] = node.known()?;
             // what ends do not share with it is there, and held where it has it not
             let here = self.members.iter().filter(|member| self.nodes_of(member).contains(&index));
-            let freedoms = here.fold(freedoms, |sum, member| sum.union(member.released()));
-            Some(PathNode::new(freedoms, held, node.skew.is_some()))
+            let released = here.fold(Freedoms::NONE, |sum, member| sum.union(member.released_of_member()));
+            let released = if is_in_space { released.in_any_axes() } else { released };
+            Some(PathNode::new(freedoms.union(released), held, node.skew.is_some()))
         };
         let mut nodes = self.nodes.iter().enumerate().map(node).collect::<Option<Vec<PathNode>>>()?;
-        let member = |member: &super::Member<'_>| {
-            let freedoms = member.freedoms.as_known()?;
-            Some(PathMember { nodes: self.nodes_of(member), freedoms, released: 2 * member.released().count() })
-        };
-        let members = self.members.iter().map(member).collect::<Option<Vec<PathMember>>>()?;
+        let members = self.path_members()?;
         lead_paths(&mut nodes, &members);
-        let cut = (0..members.len()).filter(|&member| is_cut(&nodes, &members, member));
+        let is_there = |member: &usize| !self.members[*member].is_further;
+        let cut = (0..members.len()).filter(is_there).filter(|&member| is_cut(&nodes, &members, member));
         let root = nodes.iter().position(|node| node.leaving().is_none()).unwrap_or_default();
         Some(Overall {
             unknowns: unknowns(&nodes, &members),
             root: &self.nodes[root].name,
             cuts: cut.map(|member| self.members[member].name.as_str()).collect(),
         })
+    }
+
+    /// The members as paths know them: with all of their parts in the place of the first.
+    fn path_members(&self) -> Option<Vec<PathMember>> {
+        let mut all = vec![PathMember::NONE; self.members.len()];
+        let mut first = 0;
+        for (index, member) in self.members.iter().enumerate() {
+            if !member.is_further {
+                first = index;
+                all[first].nodes = self.nodes_of(member);
+            }
+            let own = freedoms_of_part(member.part()?, member.freedoms.as_known()?);
+            all[first].freedoms = all[first].freedoms.union(own);
+            all[first].released += 2 * member.released().count();
+        }
+        Some(all)
     }
 }

@@ -1,7 +1,7 @@
 //! The skeleton as text: its size, its loops and its nodes in order. The documentation of the built system shows it.
 
 use super::Skeleton;
-use crate::keywords::{FREEDOMS, ROTATIONS};
+use crate::keywords::FREEDOMS;
 use mstmm_plan::{Freedoms, NetworkOrder};
 use std::fmt::{Display, Formatter, Result};
 
@@ -63,7 +63,7 @@ impl Skeleton<'_> {
         let node = &self.nodes[node];
         let Some([_, held]) = node.known() else { return "?".to_owned() };
         let free = node.all.without(held);
-        let of_axes = if node.skew.is_some() { free.intersection(ROTATIONS) } else { free };
+        let of_axes = if node.skew.is_some() { free.intersection(Freedoms::ROTATIONS) } else { free };
         let skewed = node.skew.map(|skew| if skew.is_normal { "across" } else { "along" });
         let own = FREEDOMS.iter().filter(|(_, freedom)| of_axes.contains(*freedom)).map(|(name, _)| *name);
         let names: Vec<&str> = skewed.into_iter().chain(own).collect();

@@ -34,7 +34,7 @@ fn assert_same<Y: NaturalFrequencies<Parameter = f64> + mstmm::search::Undamped>
 macro_rules! arch {
     ($name:ident($l:ident): $($rest:tt)*) => {
         system! {
-            struct $name { $l: f64 }
+            pub(super) struct $name { pub(super) $l: f64 }
             section steel {
                 axial_stiffness: 900.0, torsional_stiffness: 3.0, bending_stiffness_y: 2.0, bending_stiffness_z: 5.0,
                 mass_per_length: 1.5, polar_inertia_per_length: 0.25,

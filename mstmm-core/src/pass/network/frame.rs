@@ -1,14 +1,15 @@
-//! The axes and the place of the end of a member in the plane, as its node sees them.
+//! The axes and the place of the end of a member, as its node sees them.
 
-use crate::element::PathState;
 use crate::number::{Frequency, Real, Scalar};
+use crate::pass::network::path_state::PathState;
 use crate::pass::network::placement::Placement;
+use crate::pass::network::vector::{Six, at_node, displacements, dot, moved, rotations, six};
 
-/// Where an end of a member is from its node, and the direction of its x axis.
+/// Where an end of a member is from its node, and its axes x, y and z.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame<S> {
-    pub(super) axis: [S; 2],
-    pub(super) offset: [S; 2],
+    pub(super) axes: [[S; 3]; 3],
+    pub(super) offset: [S; 3],
 }
 
 impl<S: Scalar> Frame<S> {
@@ -17,44 +18,35 @@ impl<S: Scalar> Frame<S> {
     where
         S: Frequency<T>,
     {
-        let ([c, s, _], [x, y, _]) = (placement.axes(end).along, placement.offset(end));
-        Frame { axis: [c, s], offset: [x, y] }
+        Frame { axes: placement.axes_of_member(end), offset: placement.offset(end) }
     }
 
-    /// The axes of the plane at the node itself.
+    /// The axes of the structure at the node itself.
     pub(super) fn of_node() -> Self {
-        Frame { axis: [S::one(), S::zero()], offset: [S::zero(); 2] }
+        let axes = [0, 1, 2].map(|row| [0, 1, 2].map(|column| if row == column { S::one() } else { S::zero() }));
+        Frame { axes, offset: [S::zero(); 3] }
     }
 
     /// The state of a node, seen at the end.
     pub(super) fn at_end(&self, state: PathState<S>) -> PathState<S> {
         PathState {
-            displacements: turned(moved(state.displacements, self.offset), self.axis),
-            forces: turned(moment_moved(state.forces, self.offset), self.axis),
+            displacements: turned(moved(state.displacements, self.offset), &self.axes),
+            forces: turned(at_node(state.forces, self.offset.map(|part| -part)), &self.axes),
         }
     }
 
     /// The state of the end, seen at the node.
     pub(super) fn at_node(&self, state: PathState<S>) -> PathState<S> {
-        let ([c, s], back) = (self.axis, self.offset.map(|part| -part));
+        let back = [0, 1, 2].map(|row| [0, 1, 2].map(|column| self.axes[column][row]));
         PathState {
-            displacements: moved(turned(state.displacements, [c, -s]), back),
-            forces: moment_moved(turned(state.forces, [c, -s]), back),
+            displacements: moved(turned(state.displacements, &back), self.offset.map(|part| -part)),
+            forces: at_node(turned(state.forces, &back), self.offset),
         }
     }
 }
 
-/// The displacements of a place that is tied to a node at a distance.
-fn moved<S: Scalar>([x, y, rotation]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
-    [x - rotation * to_y, y + rotation * to_x, rotation]
-}
-
-/// A force with its moment about a place at a distance.
-fn moment_moved<S: Scalar>([x, y, moment]: [S; 3], [to_x, to_y]: [S; 2]) -> [S; 3] {
-    [x, y, moment - to_x * y + to_y * x]
-}
-
-/// A vector in axes that lead along a direction.
-fn turned<S: Scalar>([x, y, about_z]: [S; 3], [c, s]: [S; 2]) -> [S; 3] {
-    [c * x + s * y, c * y - s * x, about_z]
+/// Displacements or forces in other axes.
+fn turned<S: Scalar>(of_node: Six<S>, axes: &[[S; 3]; 3]) -> Six<S> {
+    let [moved, turned] = [displacements(of_node), rotations(of_node)];
+    six(axes.map(|axis| dot(axis, moved)), axes.map(|axis| dot(axis, turned)))
 }

@@ -18,6 +18,7 @@ mod overall;
 mod overall_network;
 mod own;
 mod part;
+mod path_state;
 mod placed;
 mod placed_node;
 mod placement;

@@ -1,20 +1,29 @@
 //! The overall transfer equation of a network: one unknown after the other along the paths from the tips to the root.
 
-use crate::element::{MemberTransfer, PathState};
+use crate::element::MemberTransfer;
 use crate::model::Skew;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::frame::Frame;
+use crate::pass::network::path_state::{PathState, numbers};
 use crate::pass::network::placed::{PerMember, PerNode, Placed};
-use crate::pass::network::vector::{six, unit};
+use crate::pass::network::placement::Placement;
+use crate::pass::network::vector::{DISPLACEMENTS, Six, unit, with_axes_across};
 use crate::pass::overall::determinant::determinant;
+use crate::structure::MOST_MOTIONS;
 use core::mem::replace;
-use mstmm_plan::{Freedoms, PathNode};
+use core::ops::Range;
+use mstmm_plan::{Freedoms, PathNode, freedoms_of_part};
 use nalgebra::SMatrix;
 
 /// A network whose members have transfer matrices at a frequency.
 pub trait PlacedTransfers<S: Frequency<Self::Parameter>>: Placed {
-    /// The transfer matrix of a member.
+    /// The transfer matrix of a member, or of a part of one.
     fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>>;
+
+    /// The parts of the member that begins with one of an index; none where that is a further part.
+    fn parts(&self, first: usize) -> Range<usize> {
+        first..first + 1
+    }
 }
 
 /// The overall matrix of a network, given its paths; `N` is the number of their unknowns.
@@ -28,8 +37,17 @@ where
     S: Frequency<Y::Parameter> + Single,
 {
     let mut links = network.per_member(Link::none());
-    for (member, link) in links.as_mut().iter_mut().enumerate().take(network.sizes()[1]) {
-        *link = Link::new(network, paths, member, x);
+    for member in 0..network.sizes()[1] {
+        let parts = network.parts(member);
+        if let Some(link) = links.as_mut().get_mut(member).filter(|_| !parts.is_empty()) {
+            *link = Link::new(network, paths, member);
+        }
+        let is_reversed = links.as_ref().get(member).is_some_and(|link| link.is_reversed);
+        for (part, link) in links.as_mut().iter_mut().enumerate().take(parts.end).skip(parts.start) {
+            let transfer = network.transfer(part, x).unwrap_or(MemberTransfer::none());
+            link.part = network.placement(part).part();
+            link.transfer = if is_reversed { transfer.reversed() } else { transfer };
+        }
     }
     let mut order = network.per_node(0);
     for (node, path) in paths.iter().enumerate() {
@@ -44,7 +62,7 @@ where
             paths,
             links: &links.as_ref()[..network.sizes()[1]],
             nodes: network.per_node(PathState::zero()),
-            ends: network.per_member([[S::zero(); 3]; 2]),
+            ends: network.per_member([[S::zero(); MOST_MOTIONS]; 2]),
             lambda_squared: x.lambda_squared(),
             unknown,
             next_unknown: 0,
@@ -66,16 +84,23 @@ where
     members.fold(determinant(overall_matrix::<N, Y, S>(network, paths, x)), Scaled::times)
 }
 
-/// A member on its path.
+/// A member on its path, with its first part, or a further part of one.
 #[derive(Clone, Copy, Debug)]
 struct Link<S> {
     nodes: [usize; 2],
+    /// The freedoms of the member in its axes, and those that its ends do not share with their nodes.
     freedoms: Freedoms,
     released: [Freedoms; 2],
     frames: [Frame<S>; 2],
-    /// From the end by which a path leaves its node, or from the cut at its input.
-    transfer: MemberTransfer<S>,
+    /// The first of its parts, and the one behind its last.
+    parts: [usize; 2],
+    /// Whether a path goes from its output to its input.
+    is_reversed: bool,
     is_cut: bool,
+    /// Which part this one is.
+    part: usize,
+    /// Of the part: from the end by which a path leaves its node, or from the cut at its input.
+    transfer: MemberTransfer<S>,
 }
 
 impl<S: Single> Link<S> {
@@ -85,26 +110,36 @@ impl<S: Single> Link<S> {
             freedoms: Freedoms::NONE,
             released: [Freedoms::NONE; 2],
             frames: [Frame::of_node(); 2],
-            transfer: MemberTransfer::none(),
+            parts: [0; 2],
+            is_reversed: false,
             is_cut: false,
+            part: 0,
+            transfer: MemberTransfer::none(),
         }
     }
 
-    fn new<Y: PlacedTransfers<S>>(network: &Y, paths: &[PathNode], member: usize, x: S) -> Self
+    /// The member that begins with a part.
+    fn new<Y: PlacedTransfers<S>>(network: &Y, paths: &[PathNode], member: usize) -> Self
     where
         S: Frequency<Y::Parameter>,
     {
         let placement = network.placement(member);
         let nodes = [0, 1].map(|end| placement.node_of(end));
         let [leaves, is_reversed] = [0, 1].map(|end| paths[nodes[end]].leaves_by(2 * member + end));
-        let transfer = network.transfer(member, x).unwrap_or(MemberTransfer::none());
+        let parts = network.parts(member);
+        let together = |of_part: &dyn Fn(&Placement<Y::Parameter>) -> Freedoms| {
+            let own = parts.clone().map(|part| network.placement(part));
+            own.fold(Freedoms::NONE, |sum, part| sum.union(freedoms_of_part(part.part(), of_part(part))))
+        };
         Link {
             nodes,
-            freedoms: placement.freedoms,
-            released: [0, 1].map(|end| placement.released(end).intersection(placement.freedoms)),
+            freedoms: together(&|part| part.freedoms),
+            released: [0, 1].map(|end| together(&|part| part.released(end).intersection(part.freedoms))),
             frames: [0, 1].map(|end| Frame::of(placement, end)),
-            transfer: if is_reversed { transfer.reversed() } else { transfer },
+            is_reversed,
             is_cut: !leaves && !is_reversed,
+            parts: [parts.start, parts.end],
+            ..Link::none()
         }
     }
 }
@@ -116,7 +151,7 @@ struct Column<'a, Y: Placed, S: Single> {
     links: &'a [Link<S>],
     nodes: PerNode<Y, PathState<S>>,
     /// The displacements of the ends that arrive at nodes, in their own axes.
-    ends: PerMember<Y, [[S; 3]; 2]>,
+    ends: PerMember<Y, [Six<S>; 2]>,
     lambda_squared: S,
     unknown: usize,
     next_unknown: usize,
@@ -160,7 +195,7 @@ where
                 state.forces[k] = self.unknown();
             }
             self.arrive(2 * member, state.opposite());
-            self.arrive(2 * member + 1, link.transfer.of(state));
+            self.arrive(2 * member + 1, self.through(link, state));
         }
         for &node in order.iter().rev() {
             self.node(node);
@@ -182,8 +217,7 @@ where
             }
         }
         self.nodes.as_mut()[node].displacements = state.displacements;
-        let [x, y, rotation] = state.displacements;
-        let momentum = self.network.node(node).0.momentum(six([x, y, S::zero()], [S::zero(), S::zero(), rotation]));
+        let momentum = self.network.node(node).0.momentum(state.displacements);
         for (force, momentum) in state.forces.iter_mut().zip(momentum) {
             *force -= self.lambda_squared * momentum;
         }
@@ -203,12 +237,9 @@ where
         let (support, _) = self.network.node(node);
         let mut tip = PathState::zero();
         let mut in_axes = path.freedoms;
-        if let Some(Skew::Along(direction)) = support.skew {
-            let [c, s, _] = unit(direction.map(S::from_parameter));
-            let [along, across] = [self.unknown(), self.unknown()];
-            tip.displacements = [c * along, s * along, S::zero()];
-            tip.forces = [-s * across, c * across, S::zero()];
-            in_axes = in_axes.intersection(Freedoms::RZ);
+        if let Some(skew) = support.skew {
+            self.skew_tip(skew, path.freedoms.intersection(Freedoms::DISPLACEMENTS), &mut tip);
+            in_axes = in_axes.intersection(Freedoms::ROTATIONS);
         }
         for k in numbers(in_axes.without(support.held)) {
             tip.displacements[k] = self.unknown();
@@ -217,6 +248,24 @@ where
             tip.forces[k] = self.unknown();
         }
         tip
+    }
+
+    /// The unknowns of a support that holds along a direction or across it, given the displacements of its node: those that are free, and the forces
+    /// of the others.
+    fn skew_tip(&mut self, skew: Skew<Y::Parameter>, all: Freedoms, tip: &mut PathState<S>) {
+        let (vector, is_held) = match skew {
+            Skew::Along(vector) => (vector, false),
+            Skew::Normal(vector) => (vector, true),
+        };
+        let axes = with_axes_across(unit(vector.map(S::from_parameter)), vector);
+        for (place, axis) in axes.into_iter().enumerate().take(all.count()) {
+            let unknown = self.unknown();
+            let moves = (place == 0) != is_held;
+            let state = if moves { &mut tip.displacements } else { &mut tip.forces };
+            for (part, place) in axis.into_iter().zip(DISPLACEMENTS) {
+                state[place] += part * unknown;
+            }
+        }
     }
 
     /// Ends all paths at the root, in the first rows: the state there less its own unknowns.
@@ -241,7 +290,16 @@ where
         }
         state = state.of_freedoms(link.freedoms);
         self.release(end, &mut state);
-        self.arrive(end ^ 1, link.transfer.of(state));
+        self.arrive(end ^ 1, self.through(link, state));
+    }
+
+    /// The state behind a member: each part takes on what it has of it.
+    fn through(&self, link: &Link<S>, state: PathState<S>) -> PathState<S> {
+        let mut behind = PathState::zero();
+        for part in self.links.get(link.parts[0]..link.parts[1]).unwrap_or_default() {
+            behind.set_part(part.part, part.transfer.of(state.of_part(part.part)));
+        }
+        behind
     }
 
     /// Lets the displacements that an end does not share jump; their forces are zero.
@@ -282,10 +340,4 @@ where
             self.entry(own[k] - of_node.displacements[k]);
         }
     }
-}
-
-/// The places of freedoms in a state.
-fn numbers(freedoms: Freedoms) -> impl Iterator<Item = usize> {
-    let all = Freedoms::SINGLE.into_iter().enumerate();
-    all.filter(move |(_, freedom)| freedoms.contains(*freedom)).map(|(k, _)| k)
 }

@@ -4,7 +4,7 @@ use crate::model::MemberPlane;
 use crate::number::{Frequency, Parameter, Real, Scalar};
 use crate::pass::network::motions::Motions;
 use crate::pass::network::placed_node::PlacedNode;
-use crate::pass::network::vector::{Axes, Six, difference, is_exact, moved, norm, unit};
+use crate::pass::network::vector::{Axes, Six, difference, is_exact, moved, norm, unit, with_axes_across};
 use crate::structure::{JoinedEnd, MOST_MOTIONS};
 use mstmm_plan::Freedoms;
 
@@ -186,13 +186,21 @@ impl<T: Real> Placement<T> {
 
     /// The axes x, y and z of the member, as drawings show them; none of what acts along one axis of space, and where there is no direction.
     pub(crate) fn drawn_axes(&self) -> Option<[[T; 3]; 3]> {
-        let Axes { along, across, normal } = self.axes::<T>(0);
         let axes = match self.plane {
-            MemberPlane::Structure | MemberPlane::First(_) => [along, across, normal],
-            MemberPlane::Second(_) => [along, normal.map(|part| -part), across],
+            MemberPlane::Structure | MemberPlane::First(_) | MemberPlane::Second(_) => self.axes_of_member::<T>(0),
             MemberPlane::Along | MemberPlane::About => return None,
         };
         axes.iter().all(|axis| is_finite(*axis)).then_some(axes)
+    }
+
+    /// The axes x, y and z of the member at an end; of what has one motion x and any axes across it.
+    pub(crate) fn axes_of_member<S: Frequency<T>>(&self, end: usize) -> [[S; 3]; 3] {
+        let Axes { along, across, normal } = self.axes::<S>(end);
+        match self.plane {
+            MemberPlane::Structure | MemberPlane::First(_) => [along, across, normal],
+            MemberPlane::Second(_) => [along, normal.map(|part| -part), across],
+            MemberPlane::Along | MemberPlane::About => with_axes_across(along, self.vector::<T>(end)),
+        }
     }
 
     /// The node of an end.

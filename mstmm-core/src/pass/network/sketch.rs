@@ -2,7 +2,7 @@
 
 use crate::model::{Hold, PlanePoint, SpacePoint, Spot, Tied};
 use core::ops::Range;
-use mstmm_plan::{Freedoms, OrderRoom, PathMember, PathNode, in_motion, lead_paths, unknowns};
+use mstmm_plan::{Freedoms, OrderRoom, PathMember, PathNode, freedoms_of_part, in_motion, lead_paths, unknowns};
 
 /// A network without its numbers.
 ///
@@ -222,27 +222,32 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         nodes
     }
 
-    /// The freedoms that ends of members have at a node and do not share with it: in states there they are, held where the node has them not.
+    /// The freedoms that ends of members have at a node and do not share with it: in states there they are, held where the node has them not. In
+    /// space axes of members are not those of nodes: one displacement brings all, and one rotation.
     const fn released_at(&self, node: usize) -> Freedoms {
         let (mut released, mut member) = (Freedoms::NONE, 0);
         while member < MEMBERS {
-            let SketchedMember { released: own, ends: [from, to], .. } = &self.members[member];
-            if self.node_of(from) == node || self.node_of(to) == node {
-                released = released.union(*own);
+            let own = &self.members[member];
+            if self.node_of(&own.ends[0]) == node || self.node_of(&own.ends[1]) == node {
+                released = released.union(freedoms_of_part(own.part(), own.released));
             }
             member += 1;
         }
-        released
+        if self.is_in_space { released.in_any_axes() } else { released }
     }
 
     /// Its members as paths know them.
     const fn path_members(&self) -> [PathMember; MEMBERS] {
         let mut members = [PathMember::NONE; MEMBERS];
-        let mut member = 0;
+        let (mut member, mut first) = (0, 0);
         while member < MEMBERS {
-            let SketchedMember { freedoms, released, ends: [from, to], .. } = &self.members[member];
-            let nodes = [self.node_of(from), self.node_of(to)];
-            members[member] = PathMember { nodes, freedoms: *freedoms, released: 2 * released.count() };
+            let own = &self.members[member];
+            if !own.is_further {
+                first = member;
+                members[first].nodes = [self.node_of(&own.ends[0]), self.node_of(&own.ends[1])];
+            }
+            members[first].freedoms = members[first].freedoms.union(freedoms_of_part(own.part(), own.freedoms));
+            members[first].released += 2 * own.released.count();
             member += 1;
         }
         members
@@ -290,8 +295,11 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
         Tied { node, place: Some(place), freedoms, hold }
     }
 
-    /// The parts of the member that begins with one of an index.
+    /// The parts of the member that begins with one of an index; none where it is a further part itself.
     pub fn parts(&self, first: usize) -> Range<usize> {
+        if self.members.get(first).is_none_or(|member| member.is_further) {
+            return first..first;
+        }
         let further = self.members.iter().skip(first + 1).take_while(|member| member.is_further);
         first..first + 1 + further.count()
     }
@@ -323,6 +331,18 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     /// What errors call a node: the name of its place, or its index where it is a motion of a path.
     pub fn spot(&self, node: usize) -> Spot {
         self.nodes[node].place.map_or(Spot::Node(node), |place| Spot::Named(self.places[place]))
+    }
+}
+
+impl SketchedMember {
+    /// Which part of its member it is.
+    const fn part(&self) -> usize {
+        match self.plane {
+            SketchedPlane::Structure | SketchedPlane::First(_) => 0,
+            SketchedPlane::Second(_) => 1,
+            SketchedPlane::OneMotion if self.freedoms.is(Freedoms::X) => 0,
+            SketchedPlane::OneMotion | SketchedPlane::Twist => 2,
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 //! x and y.
 
 use crate::model::MemberPlane;
-use crate::number::{Frequency, Parameter, Scalar, Truth};
+use crate::number::{Frequency, Parameter, Real, Scalar, Truth};
 use crate::structure::MOST_MOTIONS;
 
 /// Displacements or forces of a node, in the order of [`Freedoms::EACH`](mstmm_plan::Freedoms::EACH).
@@ -37,6 +37,16 @@ pub(crate) fn norm<S: Scalar>(vector: [S; 3]) -> S {
 pub(crate) fn unit<S: Scalar>(vector: [S; 3]) -> [S; 3] {
     let size = norm(vector);
     vector.map(|part| if part.is_constant_zero() { part } else { part / size })
+}
+
+/// A direction with two axes across it, given a vector that leads along it: that of them is in the plane of x and y where it is not along z.
+pub(crate) fn with_axes_across<S: Scalar, T: Real>(along: [S; 3], vector: [T; 3]) -> [[S; 3]; 3] {
+    let [x, y, z] = vector.map(|part| part.words()[0].abs());
+    let (zero, one) = (S::zero(), S::one());
+    // not near its own direction
+    let up = if z > x.max(y) { [one, zero, zero] } else { [zero, zero, one] };
+    let across = unit(cross(up, along));
+    [along, across, cross(along, across)]
 }
 
 /// The difference of two places.

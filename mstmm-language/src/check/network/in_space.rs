@@ -3,7 +3,7 @@
 use super::findings::Findings;
 use crate::ast::Element;
 use crate::diagnostics::Errors;
-use crate::keywords::{DISPLACEMENTS, Dimension, PAIRS, ROTATIONS, Role, freedom_of, in_space, support_of};
+use crate::keywords::{Dimension, PAIRS, Role, freedom_of, in_space, support_of};
 use crate::network::{Graph, Named, PathMotion, Paths, Points};
 use mstmm_plan::{Freedoms, Support};
 use syn::ext::IdentExt;
@@ -67,7 +67,7 @@ pub(super) fn loose_points<'a>(graph: &Graph<'a>, points: &Points, paths: &Paths
             continue;
         }
         let held = vertices.iter().map(|&vertex| held_at(graph, vertex)).fold(Freedoms::NONE, Freedoms::union);
-        for (turns, all) in [(false, DISPLACEMENTS), (true, ROTATIONS)] {
+        for (turns, all) in [(false, Freedoms::DISPLACEMENTS), (true, Freedoms::ROTATIONS)] {
             let acting = motions.iter().filter(|motion| matches!(motion, PathMotion::Rotation) == turns).count();
             if acting > 0 && acting + held.intersection(all).count() < 3 {
                 let (what, all) = if turns { ("turns", "axes") } else { ("moves", "directions") };
@@ -90,7 +90,7 @@ fn held_at(graph: &Graph<'_>, vertex: usize) -> Freedoms {
     }
     match support_of(&support.keyword.to_string()) {
         Some(Support::Free) | None => Freedoms::NONE,
-        Some(Support::Pinned) => DISPLACEMENTS,
+        Some(Support::Pinned) => Freedoms::DISPLACEMENTS,
         // of a skew one numbers decide
         Some(_) => Freedoms::SPACE,
     }

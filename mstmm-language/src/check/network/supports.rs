@@ -1,7 +1,7 @@
 //! Rules of supports: one at a point, which holds what the point has.
 
 use super::findings::Findings;
-use crate::keywords::{Dimension, ROTATIONS, Role, freedom_of, support_of};
+use crate::keywords::{Dimension, Role, freedom_of, support_of};
 use crate::network::{FreedomSet, Graph, Named, Points};
 use mstmm_plan::{Freedoms, Space, Support};
 use syn::ext::IdentExt;
@@ -70,7 +70,7 @@ fn support<'a>(
             continue;
         };
         let message = format!("no element at {} has the freedom `{held}`: remove it", name(graph, points, point));
-        let other = if ROTATIONS.contains(freedom) { Space::Translation } else { Space::Rotation };
+        let other = if Freedoms::ROTATIONS.contains(freedom) { Space::Translation } else { Space::Rotation };
         findings.suspect(held.span(), message, has.own.iter().map(|&own| (own, other)));
     }
 }

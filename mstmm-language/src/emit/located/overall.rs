@@ -2,6 +2,7 @@
 
 use super::super::{Names, implement};
 use super::{answers_of_members, bounds};
+use crate::keywords::Dimension;
 use crate::skeleton::Skeleton;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote_spanned;
@@ -27,6 +28,13 @@ pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         let transfer = names.function_at("member_transfer", span);
         quote_spanned!(names.here=> #transfer::<#kind, #frequency>(built, x))
     });
+    let parts = (skeleton.dimension == Dimension::Space).then(|| {
+        quote_spanned! {names.here=>
+            fn parts(&self, first: ::core::primitive::usize) -> ::core::ops::Range<::core::primitive::usize> {
+                SKETCH.parts(first)
+            }
+        }
+    });
     let body = quote_spanned! {names.here=>
         fn transfer(
             &self,
@@ -35,6 +43,8 @@ pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         ) -> ::core::option::Option<#private::MemberTransfer<#frequency>> {
             #transfers
         }
+
+        #parts
     };
     let transfers = implement("PlacedTransfers", "Real", all_bounds.clone(), &body, names);
     let body = quote_spanned! {names.here=>

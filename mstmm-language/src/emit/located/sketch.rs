@@ -1,7 +1,7 @@
 //! Emits the skeleton as a constant, and the order of its nodes.
 
 use super::super::Names;
-use crate::keywords::{Dimension, ROTATIONS};
+use crate::keywords::Dimension;
 use crate::network::FreedomSet;
 use crate::skeleton::{Axis, Direction, End, Member, Node, Plane, Point, Seat, Skeleton, Skew, Support, Up};
 use mstmm_plan::Freedoms;
@@ -71,7 +71,7 @@ fn sketched_node(node: &Node<'_>, names: &Names) -> TokenStream {
     let held = match node.known() {
         Some([_, held]) => freedoms(held, names),
         None => {
-            let [held, all, turns] = [node.held, node.all, ROTATIONS].map(|set| freedoms(set, names));
+            let [held, all, turns] = [node.held, node.all, Freedoms::ROTATIONS].map(|set| freedoms(set, names));
             let turns = node.skew.map(|_| quote_spanned!(names.here=> .intersection(#turns)));
             quote_spanned!(names.here=> #held.union(#all.without(#own))#turns)
         }
