@@ -6,9 +6,11 @@ use crate::element::{
 };
 use crate::elements::Across;
 use crate::elements::in_plane::{ChartedAcross, Stretching};
-use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter};
+use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar, StateSpace};
 use crate::number::{FrequencyPowers, Scalar, Single};
 use crate::structure::Chart;
+use mstmm_plan::WIDEST;
+use nalgebra::Matrix6;
 
 /// A string that moves across itself between two places.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +40,7 @@ impl<B: Across> Sideways<B> {
 
 #[diagnostic::do_not_recommend]
 impl<B: Stretching> Element for Sideways<B> {
-    type State = B::State;
+    type State = Planar;
     type Built = B::Built;
 
     fn build(self) -> Result<B::Built, InvalidParameter> {
@@ -56,8 +58,15 @@ impl<B: Stretching> Element for Sideways<B> {
 
 #[diagnostic::do_not_recommend]
 impl<B: Stretching + TransferMatrix<S>, S: Single> TransferMatrix<S> for Sideways<B> {
-    fn transfer_matrix(built: &B::Built, x: S) -> crate::element::MatrixOf<B, S> {
-        B::transfer_matrix(built, x)
+    /// Takes the column of a unit state across; what else the state has the string does not act on.
+    fn transfer_matrix(built: &B::Built, x: S) -> Matrix6<S> {
+        let across = B::transfer_matrix(built, x);
+        let columns: [[S; WIDEST]; WIDEST] = core::array::from_fn(|column| {
+            let mut state = core::array::from_fn(|row| if row == column { S::one() } else { S::zero() });
+            B::State::transfer(&across, &mut state);
+            state
+        });
+        Matrix6::from_fn(|row, column| columns[column][row])
     }
 }
 

@@ -1,8 +1,8 @@
 //! The overall determinants of sketches in space against Δ of the dynamic stiffness: one constant for all frequencies, so both have the same zeros.
 
 use super::one_thing::{
-    Ball, Bodied, Bracing, Cantilever, Cylindrical, Flexible, OnMount, Prismatic, Rolling, RollingAlong, Sprung, Turning,
-    Universal, Upside,
+    Ball, Bodied, Bracing, Cantilever, Cylindrical, Flexible, OnMount, Prismatic, Rolling, RollingAlong, Sprung,
+    Turning, Universal, Upside,
 };
 use super::portal::PORTAL;
 use super::workshop::WORKSHOP;
@@ -59,7 +59,11 @@ macro_rules! difference {
         });
         let apart = quotients.map(|own| (own / quotients[0] - DoubleDouble::from(1.0)).size());
         let worst = apart.into_iter().fold(0.0, |worst, one| if one <= worst { worst } else { one });
-        println!("{:60} {:3} unknowns, {worst:.1e}", stringify!($model), system.overall_matrix(DoubleDouble::from(1.0)).nrows());
+        println!(
+            "{:60} {:3} unknowns, {worst:.1e}",
+            stringify!($model),
+            system.overall_matrix(DoubleDouble::from(1.0)).nrows()
+        );
         worst
     }};
 }
