@@ -11,6 +11,7 @@ mod in_space;
 mod joints;
 mod masses;
 mod member;
+mod member_places;
 mod parts;
 mod paths;
 mod point;

@@ -33,7 +33,7 @@ use std::vec::Vec;
 #[derive(Clone, Debug)]
 pub struct Framework<D, E: MemberElement> {
     network: Network<E, Vectors>,
-    number: u32,
+    pub(super) number: u32,
     points: Vec<Tied>,
     places: Vec<[f64; 3]>,
     /// The supports: a point, what is held, and the direction along which it moves.
@@ -41,7 +41,7 @@ pub struct Framework<D, E: MemberElement> {
     /// The node and the mass centre of each body.
     bodies: Vec<(usize, [f64; 3])>,
     /// The first part of each member of the frame in the network, and behind the last one. Parts of supports and of masses in a direction follow.
-    first_parts: Vec<usize>,
+    pub(super) first_parts: Vec<usize>,
     of: PhantomData<fn() -> D>,
 }
 

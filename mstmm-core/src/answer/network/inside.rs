@@ -3,7 +3,7 @@
 use crate::answer::interior::{HALVINGS, sign_changes};
 use crate::answer::network::states::PlaneStates;
 use crate::element::{Inside, MemberEnds, MemberMotion, VisitMember};
-use crate::model::{EndMotion, MemberLabel, MotionError};
+use crate::model::{EndMotion, MemberEnd, MemberLabel, MotionError};
 use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::network::vector::displacements;
 use crate::pass::network::{Placed, PlacedMotions};
@@ -84,6 +84,16 @@ where
             moment_y: -about_minus_y,
             torque,
         })
+    }
+
+    /// The displacements of an end of a member in global axes: along x, y and z \[m\], and the rotations about them \[rad\]. Springs, dampers and
+    /// joints have ends, too. A motion that no element brings is zero.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchPoint`] for a member that this system has not got.
+    pub fn at_end(&self, end: MemberEnd<Y::Model>) -> Result<[S; 6], MotionError> {
+        let [x, y, rotation_z, z, rotation_x, rotation_y] = self.displacements(end.as_point().site)?;
+        Ok([x, y, z, rotation_x, rotation_y, rotation_z])
     }
 
     /// The interior of a member.

@@ -108,7 +108,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     }
 
     /// The displacements of a point.
-    fn displacements(&self, site: Site) -> Result<Six<S>, MotionError> {
+    pub(super) fn displacements(&self, site: Site) -> Result<Six<S>, MotionError> {
         match located(self.system, site)? {
             Seen::Tied(Tied { node, place, .. }) => Ok(moved(self.all_of(node)?, offset(self.system, node, place))),
             Seen::End { parts, end } if self.system.placement(parts.start).plane() == MemberPlane::Structure => {
