@@ -4,12 +4,18 @@
 mod error;
 mod fields;
 mod function;
+mod geometry;
+mod member_lines;
 mod modes;
 mod response;
 mod uff58;
+mod vtp;
 
 pub use error::FileError;
 pub use function::{Axis, Direction, Dof, Function, Quantity};
+pub use geometry::{Geometry, Polyline};
+pub use member_lines::MemberLines;
 pub use modes::{Mode, write_modes};
 pub use response::write_response;
 pub use uff58::write_uff58;
+pub use vtp::write_vtp;

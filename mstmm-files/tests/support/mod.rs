@@ -1,6 +1,8 @@
 //! A model with a closed form, its response as a file, and a reader of that file by the columns of the format.
 #![allow(dead_code, reason = "each program takes what it needs")]
 
+pub(crate) mod mast;
+
 use mstmm::prelude::*;
 use mstmm_files::{Direction, Dof, Function, write_uff58};
 
