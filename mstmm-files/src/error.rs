@@ -74,6 +74,9 @@ pub enum FileError {
     /// A geometry has no points.
     #[error("there are no points: shapes are shown on points")]
     NoPoints,
+    /// There are no modes.
+    #[error("there are no modes: the file has one data set for each")]
+    NoModes,
     /// A geometry has no lines.
     #[error("there are no lines: shapes are shown on lines")]
     NoLines,

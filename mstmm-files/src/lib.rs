@@ -8,7 +8,9 @@ mod geometry;
 mod member_lines;
 mod modes;
 mod response;
+mod uff55;
 mod uff58;
+mod uff_geometry;
 mod vtp;
 
 pub use error::FileError;
@@ -17,5 +19,7 @@ pub use geometry::{Geometry, Polyline};
 pub use member_lines::MemberLines;
 pub use modes::{Mode, write_modes};
 pub use response::write_response;
+pub use uff_geometry::{write_uff15, write_uff82};
+pub use uff55::write_uff55;
 pub use uff58::write_uff58;
 pub use vtp::write_vtp;

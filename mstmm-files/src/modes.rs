@@ -16,11 +16,11 @@ const COLUMNS: [&str; 7] =
 /// [`Geometry`](crate::Geometry), [`with_vectors`](Mode::with_vectors).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    root: Eigenvalue,
+    pub(crate) root: Eigenvalue,
     /// Whether the root is a natural frequency, and no eigenvalue.
-    is_natural: bool,
+    pub(crate) is_natural: bool,
     shape: Vec<Complex<f64>>,
-    modal_mass: Complex<f64>,
+    pub(crate) modal_mass: Complex<f64>,
     name: Option<String>,
 }
 
