@@ -71,11 +71,10 @@ fn numbers(file: &Value, accessor: &Value) -> Vec<f64> {
     for (key, of, start) in [("min", f64::min as fn(f64, f64) -> f64, f64::INFINITY), ("max", f64::max, -f64::INFINITY)]
     {
         if let Some(bounds) = accessor[key].as_array() {
-            let bound = |k: usize| numbers.iter().skip(k).step_by(width).copied().fold(start, of);
-            assert_eq!(
-                bounds.iter().map(|bound| bound.as_f64().unwrap()).collect::<Vec<_>>(),
-                (0..width).map(bound).collect::<Vec<_>>()
-            );
+            let bound = |k: usize| numbers.iter().skip(k).step_by(width).copied().fold(start, of) as f32;
+            // serde_json is one unit of double precision beside some numbers; bounds are numbers of single precision
+            let read = |bound: &Value| bound.as_f64().unwrap() as f32;
+            assert_eq!(bounds.iter().map(read).collect::<Vec<_>>(), (0..width).map(bound).collect::<Vec<_>>());
         }
     }
     numbers
@@ -169,7 +168,7 @@ fn complex_modes_have_two_targets_and_one_animation() {
     let file = written(&geometry, vec![mode, circle, real]).unwrap();
     check(&file);
     let names = &file["meshes"][0]["extras"]["targetNames"];
-    assert_eq!(names.as_array().unwrap().len(), if names[1] == "circle, real part" { 4 } else { 5 });
+    assert_eq!(names.as_array().unwrap().len(), file["meshes"][0]["weights"].as_array().unwrap().len());
     assert_eq!(names.as_array().unwrap().last().unwrap(), "\"a\\b\"");
     assert_eq!(file["animations"].as_array().unwrap().len(), 3);
     assert!(file["nodes"][0].get("rotation").is_none());
