@@ -46,6 +46,7 @@
 //! | a picture of a model, of its modes and internal forces | the package `mstmm-drawing` |
 //! | what stands where in a frame, and in which path of a tree | [`sketch`], [`sketch` of trees](motion::ModalAnalysis::sketch) |
 //! | an element of one's own | [`element`] |
+//! | area, moments, torsion and shear of a cross section | [`sections`] |
 //! | how far a shape agrees with a measured one | [`mac`](motion::mac) |
 //! | responses and modes as files for other programs | the package `mstmm-files` |
 //!
@@ -79,6 +80,7 @@ pub use mstmm_core::Complex;
 /// [language]: macro@crate::system
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
+pub use mstmm_core::sections;
 
 /// Roots, counts and determinants: the searches, their results, and the functions that they search.
 pub mod search {
@@ -146,7 +148,7 @@ pub mod element {
 pub mod number {
     pub use mstmm_core::{
         Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, EvenWaves, Frequency, InLanes, Magnitude,
-        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, Value,
+        MayDecay, Oscillation, Parameter, Partials, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, Value,
         WaveFunctions,
     };
 }

@@ -89,7 +89,7 @@ fn check(file: &Value) {
     let accessor = |index: &Value| &file["accessors"][index.as_u64().unwrap() as usize];
     let count = whole(accessor(&primitive["attributes"]["POSITION"]), "count");
     let indices = numbers(file, &primitive["indices"]);
-    assert!(indices.len() % 2 == 0 && indices.iter().all(|index| *index < count as f64));
+    assert!(indices.len().is_multiple_of(2) && indices.iter().all(|index| *index < count as f64));
     let targets = primitive["targets"].as_array().map_or(&[][..], Vec::as_slice);
     for places in targets.iter().chain([&primitive["attributes"]]).map(|attributes| &attributes["POSITION"]) {
         assert!(accessor(places)["min"].is_array() && accessor(places)["max"].is_array());
