@@ -58,7 +58,7 @@ functions! {
     ///
     /// ```
     /// let (y, z) = mstmm_core::sections::tube_shear(0.2, 0.18, 0.3);
-    /// assert!(y == z && (y - 0.531).abs() < 1e-3);
+    /// assert!(y == z && (y - 0.533).abs() < 1e-3);
     /// ```
     tube_shear,
     Tube { outer, inner };

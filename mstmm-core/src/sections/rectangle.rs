@@ -34,8 +34,8 @@ pub struct Rectangle<T> {
 impl<T: Number> Rectangle<T> {
     /// `A = b h`, `I_y = b h³/12`, `I_z = h b³/12`.
     ///
-    /// Of the long side l and the short side s, `J = l s³ (1/3 - 64/π⁵ s/l Σ tanh(n π l/2s)/n⁵)` over all odd n. Six terms of the series have all
-    /// digits, since what each lacks of 1 is summed apart.
+    /// Of the long side l and the short side s, `J = l s³ (1/3 - 64/π⁵ s/l Σ tanh(n π l/2s)/n⁵)` over all odd n. The sum is `31 ζ(5)/32` less what
+    /// each `tanh` lacks to 1. Six terms of this difference give all digits.
     ///
     /// # Errors
     /// [`InvalidParameter`] for a side that is not positive, or not from 1e-50 to 1e50.
