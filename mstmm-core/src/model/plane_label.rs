@@ -238,13 +238,15 @@ impl<M> PlanePoint<M> {
     }
 }
 
-#[cfg(feature = "std")]
 impl<M> MemberEnd<M> {
     /// The end as a point.
     pub(crate) const fn as_point(self) -> PlanePoint<M> {
         self.point()
     }
+}
 
+#[cfg(feature = "std")]
+impl<M> MemberEnd<M> {
     /// An internal force of a part of a member in space: axial, shear, moment.
     pub(crate) const fn internal_in(self, part: usize, force: usize) -> PlaneEntry<M> {
         self.internal(3 * part + force)
