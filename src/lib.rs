@@ -46,6 +46,7 @@
 //! | a picture of a model, of its modes and internal forces | the package `mstmm-drawing` |
 //! | what stands where in a frame, and in which path of a tree | [`sketch`], [`sketch` of trees](motion::ModalAnalysis::sketch) |
 //! | an element of one's own | [`element`] |
+//! | area, moments, torsion and shear of a cross section | [`sections`] |
 //! | how far a shape agrees with a measured one | [`mac`](motion::mac) |
 //! | responses and modes as files for other programs | the package `mstmm-files` |
 //!
@@ -79,6 +80,28 @@ pub use mstmm_core::Complex;
 /// [language]: macro@crate::system
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
+/// Sections in a model, with the sensitivity to a diameter:
+///
+/// ```
+/// use mstmm::prelude::*;
+/// use mstmm::sections;
+///
+/// system! {
+///     struct Mast { height: f64, outer: f64, inner: f64 }
+///
+///     let (area, i_y, ..) = sections::tube(outer, inner);
+///     fixed -> beam 1 { length: height, bending_stiffness: 2.1e11 * i_y, mass_per_length: 7850.0 * area } -> free;
+/// }
+///
+/// let mast = Mast { height: 10.0, outer: 0.5, inner: 0.4 }.build()?;
+/// let root = mast.first_frequencies::<1>()?[0];
+/// let slope = mast.sensitivity(&root)?.get("outer").ok_or("no such field")?;
+/// // ω is proportional to sqrt(outer² + inner²)
+/// assert!((slope / root.omega - 0.5 / 0.41).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+pub use mstmm_core::sections;
 
 /// Roots, counts and determinants: the searches, their results, and the functions that they search.
 pub mod search {
@@ -146,7 +169,7 @@ pub mod element {
 pub mod number {
     pub use mstmm_core::{
         Complex, ComplexEigenvalue, ComplexFrequency, DoubleDouble, Dual, EvenWaves, Frequency, InLanes, Magnitude,
-        MayDecay, Oscillation, Parameter, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, Value,
+        MayDecay, Oscillation, Parameter, Partials, Real, RealFrequency, Scalar, Scaled, Single, Size, Truth, Value,
         WaveFunctions,
     };
 }

@@ -23,6 +23,7 @@ mod number;
 mod pass;
 mod proof;
 pub mod search;
+pub mod sections;
 mod structure;
 mod subspace;
 

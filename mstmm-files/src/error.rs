@@ -61,4 +61,57 @@ pub enum FileError {
         /// The points.
         points: usize,
     },
+    /// A shape in space has not three numbers for each point, or six.
+    #[error("the shape of mode {row} has {values} values, but {points} points take 3 each, or 6 with rotations")]
+    Vectors {
+        /// The mode, from 0 on.
+        row: usize,
+        /// Its values.
+        values: usize,
+        /// The points.
+        points: usize,
+    },
+    /// A geometry has no points.
+    #[error("there are no points: shapes are shown on points")]
+    NoPoints,
+    /// There are no modes.
+    #[error("there are no modes: the file has one data set for each")]
+    NoModes,
+    /// A geometry has no lines.
+    #[error("there are no lines: shapes are shown on lines")]
+    NoLines,
+    /// A place is not finite.
+    #[error("point {point} has a coordinate that is not finite")]
+    Place {
+        /// The point, from 0 on.
+        point: usize,
+    },
+    /// A line has less than two points.
+    #[error("line {line} has less than two points")]
+    ShortLine {
+        /// The line, from 0 on.
+        line: usize,
+    },
+    /// A line leads through a point that is not there.
+    #[error("line {line} leads through point {point}, but points end at {points}")]
+    NoSuchPoint {
+        /// The line, from 0 on.
+        line: usize,
+        /// The point.
+        point: usize,
+        /// The number of points.
+        points: usize,
+    },
+    /// A name has characters that no reader takes.
+    #[error("the name {name:?} has control characters")]
+    Name {
+        /// The name.
+        name: String,
+    },
+    /// Two modes have one name.
+    #[error("two modes are called `{name}`")]
+    SameName {
+        /// The name.
+        name: String,
+    },
 }

@@ -6,36 +6,8 @@ mod support;
 use mstmm::prelude::Complex;
 use mstmm_files::{FileError, Function, write_uff58};
 use std::f64::consts::TAU;
+use support::columns::{integer, real, text};
 use support::{exact, file, head, samples};
-
-/// A field of so many columns, at the start of what is left of a line.
-fn field<'l>(line: &mut &'l str, columns: usize) -> &'l str {
-    let (field, rest) = line.split_at(columns);
-    *line = rest;
-    field
-}
-
-/// A whole number at the right of its columns.
-fn integer(line: &mut &str, columns: usize) -> i64 {
-    let field = field(line, columns);
-    assert!(!field.ends_with(' '), "`{field}` is not at the right");
-    field.trim_start().parse().unwrap()
-}
-
-/// A number in so many columns with a point, which Fortran's `E` takes as it stands.
-fn real(line: &mut &str, columns: usize) -> f64 {
-    let field = field(line, columns);
-    let mark = field.len() - 4;
-    assert!(field[mark..].starts_with('E') && "+-".contains(&field[mark + 1..mark + 2]), "`{field}`");
-    assert!(field.contains('.'), "`{field}`");
-    field.trim_start().parse().unwrap()
-}
-
-/// A text after a blank: `1X, nA1`.
-fn text<'l>(line: &mut &'l str, columns: usize) -> &'l str {
-    assert_eq!(field(line, 1), " ");
-    field(line, columns).trim_end()
-}
 
 /// `I10, 3I5, 2(1X, 20A1)`
 fn axis(mut line: &str) -> (i64, &str, &str) {

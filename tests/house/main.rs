@@ -20,6 +20,7 @@ const LONGEST_FUNCTION: usize = 60;
 const ORDER: &[(&str, &[&str])] = &[
     ("number", &[]),
     ("model", &["number"]),
+    ("sections", &["number", "model/error"]),
     ("subspace", &["number", "model"]),
     ("structure", &["number", "model"]),
     ("element", &["number", "model", "subspace", "structure"]),

@@ -213,6 +213,45 @@ fn functions() {
     );
 }
 
+/// All sections; their own derivatives are tested in the core.
+#[test]
+fn sections() {
+    use mstmm::sections;
+    formulas!(Rings { d: 0.9, e: 1.1, nu: 0.3 }
+        let (area, i_y, i_z, torsion) = sections::round(d);
+        let (k, _) = sections::round_shear(1.0, nu);
+        let tube = sections::tube(e, d);
+        let (.., l) = mstmm::sections::tube_shear(e, 0.5, nu);
+        => area + i_y * k - i_z + torsion, tube.0 * l + tube.3
+    );
+    formulas!(Rectangles { b: 0.9, h: 1.3, t: 0.2, nu: 0.3 }
+        let (area, _, i_z, torsion) = sections::rectangle(b, h);
+        let (k, _) = sections::rectangle_shear(b, 2.0, nu);
+        let hollow = sections::box_section(b, h, t);
+        let (l_y, l_z) = sections::box_shear(b, h, 0.1, nu);
+        => k * area + i_z + torsion, hollow.1 * l_y + hollow.3 * l_z
+    );
+    formulas!(Girders { b: 0.9, h: 1.3, t: 0.1, w: 0.08, nu: 0.3 }
+        let (area, i_y, i_z, torsion) = sections::i_section(b, h, t, w);
+        let (k_y, k_z) = sections::i_shear(b, h, t, w, nu);
+        => k_y * area + i_y, k_z * i_z + torsion
+    );
+}
+
+mstmm::system! {
+    struct Hollow { outer: f64, inner: f64 }
+    let (area, i_y, ..) = mstmm::sections::tube(outer, inner);
+    fixed -> beam 1 { length: 3.0, bending_stiffness: 2.1e11 * i_y, mass_per_length: 7850.0 * area } -> free;
+}
+
+/// Sizes that no section has make parameters that no beam has.
+#[test]
+fn wrong_sizes_are_told_when_a_model_is_built() {
+    assert!(Hollow { outer: 0.2, inner: 0.18 }.build().is_ok());
+    let error = Hollow { outer: 0.18, inner: 0.2 }.build().map(|_| ()).unwrap_err();
+    assert_eq!((error.element, error.value.is_nan()), ("beam 1", true), "{error}");
+}
+
 /// Names of emitted variables, and a name that hides a field in a block or an arm alone.
 #[test]
 fn names() {

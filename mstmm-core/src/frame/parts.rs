@@ -8,8 +8,6 @@ use crate::model::{MemberPlane, up_of};
 use crate::pass::network;
 use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_of_part};
 
-/// The displacements, and the rotations.
-
 /// The elements of a member in its planes: x and y with the rotation about z, x and z with that about -y, and the rotation about x. In a plane
 /// structure, and of what has one motion, the first one is all.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -70,7 +70,7 @@ impl fmt::Display for Requirement {
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
             Requirement::Above { bound, formula } => write!(f, "finite and greater than {formula} = {bound}"),
-            Requirement::Between { least, most } => write!(f, "from {least} to {most}"),
+            Requirement::Between { least, most } => write!(f, "from {} to {}", Readable(*least), Readable(*most)),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
             Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),

@@ -1,8 +1,11 @@
 //! A model with a closed form, its response as a file, and a reader of that file by the columns of the format.
 #![allow(dead_code, reason = "each program takes what it needs")]
 
+pub(crate) mod columns;
+pub(crate) mod mast;
+
 use mstmm::prelude::*;
-use mstmm_files::{Direction, Dof, Function, write_uff58};
+use mstmm_files::{Direction, Dof, Function, Geometry, Mode, write_uff58};
 
 system! {
     /// A mass on a spring and a dashpot.
@@ -40,4 +43,15 @@ pub(crate) fn file() -> String {
     let mut file = Vec::new();
     write_uff58(&mut file, &head(), samples()).unwrap();
     String::from_utf8(file).unwrap()
+}
+
+/// The oscillator on a line from the ground, and its complex mode.
+pub(crate) fn complex_mode() -> (Geometry, Mode) {
+    let (system, mass) = (MODEL.build().unwrap(), Oscillator::mass_2.output());
+    let root = system.eigenvalues_in(Region { re: -10.0..=0.0, im: 0.1..=100.0 }).unwrap()[0];
+    let y = system.mode_shape(&root).unwrap().state(mass).y;
+    let mut geometry = Geometry::default();
+    geometry.add_line("spring", [[0.0; 3], [0.0, 1.25, 0.0]]);
+    let zero = Complex::new(0.0, 0.0);
+    (geometry, Mode::from(root).with_vectors([[zero; 3], [zero, y, zero]]))
 }

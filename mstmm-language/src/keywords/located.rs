@@ -99,7 +99,7 @@ impl LocatedKeyword {
     }
 }
 
-/// The displacements of a point, and its rotations.
+/// The displacements of a point, and its rotations, of which a dimension has some.
 const BOTH: Freedoms = Freedoms::SPACE;
 
 const fn keyword(name: &'static str, role: Role, brings: Freedoms) -> LocatedKeyword {

@@ -109,6 +109,42 @@ fn anything_goes_for_other_values() {
     assert!(code.contains("let values = (a * width ,)"), "{code}");
 }
 
+/// Functions of `mstmm::sections` by the last two names of their paths, and of no other module.
+#[test]
+fn sections_have_derivatives() {
+    let code = chain(
+        "
+        struct M { outer: f64 }
+        let (area, i_y, ..) = sections::tube(outer, 0.5);
+        let (k, _) = mstmm::sections::round_shear(1.0, outer);
+        let post = sections::box_section(1.0, 2.0, 0.1);
+        fixed -> spring 1 { stiffness: area * post.0 * k } -> mass 2 { mass: i_y } -> free;
+        ",
+    );
+    for part in [
+        "let (area , i_y , ..) = sections :: tube (outer , chain . constant (0.5)) ;",
+        "let (k , _) = mstmm :: sections :: round_shear (chain . constant (1.0) , outer) ;",
+        "let post = sections :: box_section (1.0 , 2.0 , 0.1) ;",
+    ] {
+        assert!(code.contains(part), "{part}: {code}");
+    }
+    assert_refused(
+        "
+        struct M { width: f64 }
+        let a = profiles::tube(width, 0.5);
+                ^^^^^^^^^^^^^^ `profiles::tube` has no derivative that mstmm knows: write the formula here, or
+                | mark `width` with `#[no_sensitivity]`
+        let b = sections::angle(width, 0.5);
+                ^^^^^^^^^^^^^^^ `sections::angle` has no derivative that mstmm knows: write the formula here,
+                | or mark `width` with `#[no_sensitivity]`
+        let c = sections::tube((width, 0.5));
+                ^^^^^^^^^^^^^^ `sections::tube` has no derivative that mstmm knows: give it one number for
+                | each size, or mark `width` with `#[no_sensitivity]`
+        fixed -> spring 1 { stiffness: a + b } -> free;
+        ",
+    );
+}
+
 /// Integers among numbers are slips, and refused in `build`; once is enough.
 #[test]
 fn an_integer_is_not_refused_twice() {

@@ -6,7 +6,7 @@ use super::one_thing::{
 };
 use super::portal::PORTAL;
 use super::workshop::WORKSHOP;
-use mstmm::number::{DoubleDouble, Scalar, Single};
+use mstmm::number::{DoubleDouble, Scalar};
 use mstmm::prelude::*;
 
 system! {

@@ -1,9 +1,9 @@
-//! The functions whose derivatives are known: those of `mstmm_core::Partials`.
+//! The functions whose derivatives are known: those of `mstmm_core::Partials` and of `mstmm_core::sections`.
 
 use super::{Dependence, Formulas};
 use proc_macro2::Ident;
 use quote::{ToTokens, quote_spanned};
-use syn::{Expr, ExprMethodCall, ExprPath};
+use syn::{Expr, ExprCall, ExprMethodCall, ExprPath};
 
 /// Functions of `f64` with derivatives in all arguments, by the number of arguments beside the first.
 const FUNCTIONS: [&[&str]; 3] = [
@@ -35,6 +35,12 @@ const FUNCTIONS: [&[&str]; 3] = [
     &["clamp", "mul_add"],
 ];
 
+/// Functions of `mstmm::sections`: each returns a tuple of so many numbers.
+const SECTIONS: [(&[&str], usize); 2] = [
+    (&["box_section", "i_section", "rectangle", "round", "tube"], 4),
+    (&["box_shear", "i_shear", "rectangle_shear", "round_shear", "tube_shear"], 2),
+];
+
 /// How many of its first arguments are numbers of a formula, if the function is known.
 fn numbers_of(name: &Ident, arguments: &[Dependence]) -> Option<usize> {
     if name == "powi" {
@@ -53,6 +59,15 @@ fn of_f64(function: &Expr) -> Option<&Ident> {
     (kind == "f64" && segments.next().is_none()).then_some(name)
 }
 
+/// How many numbers the function `sections::name` returns.
+fn parts_of_section(function: &Expr) -> Option<usize> {
+    let Expr::Path(ExprPath { qself: None, path, .. }) = function else { return None };
+    let mut segments = path.segments.iter().rev().map(|segment| &segment.ident);
+    let (name, module) = (segments.next()?, segments.next()?);
+    let row = SECTIONS.iter().find(|(names, _)| names.iter().any(|known| name == known))?;
+    (module == "sections").then_some(row.1)
+}
+
 impl Formulas<'_> {
     /// `number.function(..)`
     pub(super) fn method(&mut self, call: &mut ExprMethodCall) -> Dependence {
@@ -64,6 +79,9 @@ impl Formulas<'_> {
     pub(super) fn call(&mut self, expression: &mut Expr) -> Dependence {
         let Expr::Call(call) = expression else { return Dependence::None };
         self.expression(&mut call.func);
+        if let Some(parts) = parts_of_section(&call.func) {
+            return self.section(call, parts);
+        }
         let (known_as, name) = (of_f64(&call.func).cloned(), called(&call.func));
         let dependence = self.function(call.args.iter_mut().collect(), known_as.as_ref(), &call.func, &name);
         if let (Some(method), false) = (known_as, dependence.is_none()) {
@@ -72,6 +90,19 @@ impl Formulas<'_> {
             *expression = Expr::Verbatim(quote_spanned!(span=> (#number).#method(#(#arguments),*)));
         }
         dependence
+    }
+
+    /// `sections::name(size, ..)`
+    fn section(&mut self, call: &mut ExprCall, parts: usize) -> Dependence {
+        let dependences: Vec<_> = call.args.iter_mut().map(|argument| self.expression(argument)).collect();
+        let all = Dependence::all(&dependences);
+        if dependences.iter().any(Dependence::is_tuple) {
+            return self.refuse(&all, &call.func, &called(&call.func), "give it one number for each size");
+        }
+        for (argument, dependence) in call.args.iter_mut().zip(&dependences) {
+            self.lift(argument, dependence, &all);
+        }
+        Dependence::of_tuple(vec![all; parts])
     }
 
     /// The value of a function, if no argument depends on fields or its derivative is known.
