@@ -135,14 +135,15 @@ fn pieces_make_the_whole_member() {
     let (frame, beams) = crossing();
     let picture = seen(&frame, View::front());
     let shown = picture.shown("model");
+    let (scale, [left, top]) = (picture.number("data-scale"), picture.in_model([0.0, 0.0]));
     for (index, [from, to]) in beams.iter().enumerate() {
         let name = format!("member {index}");
         let pieces: Vec<_> =
             shown.iter().filter(|shown| shown.name == name).flat_map(|shown| shown.lines(false)).collect();
         let part = |point: &[f64; 2]| {
-            let [x, z] = picture.in_model(*point);
-            let ([u, w], [x, z]) = ([to[0] - from[0], to[2] - from[2]], [x - from[0], z - from[2]]);
-            let beside = (x * w - z * u).abs() / u.hypot(w) * picture.number("data-scale");
+            let [x, z] = [left + point[0] / scale - from[0], top - point[1] / scale - from[2]];
+            let [u, w] = [to[0] - from[0], to[2] - from[2]];
+            let beside = (x * w - z * u).abs() / u.hypot(w) * scale;
             assert!(beside < DIGIT, "{name}: {beside}");
             (x * u + z * w) / (u * u + w * w)
         };
