@@ -170,7 +170,7 @@ fn it_is_in_the_sketch() {
     let sketch = own.sketch();
     let member = sketch.members().find(|member| member.kind == "Cable").unwrap();
     assert_eq!(member.name.to_string(), "Cable brace");
-    assert_eq!(member.ends.map(|end| end.position), [Some([0.0, 3.0]), Some([4.0, 0.0])]);
+    assert_eq!(member.ends.map(|end| end.position), [Some([0.0, 3.0, 0.0]), Some([4.0, 0.0, 0.0])]);
 }
 
 system! {
