@@ -21,7 +21,7 @@ pub(crate) fn kind_of(word: &str, shared: Freedoms, along: Option<Vector3>, axes
     match Kind::of(word) {
         Kind::Beam { .. } => Kind::Beam { on_foundation: false },
         Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge => Kind::Solid(joint(shared, along, axes)),
-        Kind::Other if word.to_lowercase().contains("joint") => Kind::Solid(Solid::Mount),
+        Kind::Other if word.to_lowercase().contains("joint") => Kind::Solid(joint(shared, along, axes)),
         kind => kind,
     }
 }

@@ -1,6 +1,6 @@
 //! The example of a portal in space, against what one knows without it.
 
-#[expect(dead_code, reason = "the example's main")]
+#[expect(dead_code, unreachable_pub, reason = "an example of its own")]
 #[path = "../../examples/space_portal.rs"]
 mod space_portal;
 

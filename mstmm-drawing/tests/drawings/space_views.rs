@@ -56,13 +56,9 @@ fn points_are_where_a_turned_model_has_them() {
     }
 }
 
-/// A chain of beams to and fro between many places, all held.
-fn crossing() -> (Structure<Space>, Vec<[[f64; 3]; 2]>) {
+/// A chain of beams between places, all held.
+fn chain(places: &[[f64; 3]]) -> (Structure<Space>, Vec<[[f64; 3]; 2]>) {
     let mut frame = Frame::new();
-    // the digits of multiples of the golden section are spread evenly
-    let number = |k: usize| 4.0 * (k as f64 * 0.618_033_988_75).fract();
-    let places: Vec<[f64; 3]> =
-        (0..28).map(|k| [0, 7, 11].map(|shift| number((k + shift) * (k + 2 * shift + 1)))).collect();
     let points: Vec<_> = places.iter().map(|place| frame.point(*place)).collect();
     for point in &points {
         frame.hold(*point, Support::Fixed);
@@ -71,6 +67,24 @@ fn crossing() -> (Structure<Space>, Vec<[[f64; 3]; 2]>) {
         frame.member(pair[0], pair[1], tube());
     }
     (frame.build().unwrap(), places.windows(2).map(|pair| [pair[0], pair[1]]).collect())
+}
+
+/// A chain to and fro between many places.
+fn crossing() -> (Structure<Space>, Vec<[[f64; 3]; 2]>) {
+    // the digits of multiples of the golden section are spread evenly
+    let number = |k: usize| 4.0 * (k as f64 * 0.618_033_988_75).fract();
+    let place = |k: usize| [0, 7, 11].map(|shift| number((k + shift) * (k + 2 * shift + 1)));
+    chain(&(0..28).map(place).collect::<Vec<_>>())
+}
+
+/// Three beams, each above the next one at one corner of a triangle, so that none is above all others; two beams join them.
+fn woven() -> (Structure<Space>, Vec<[[f64; 3]; 2]>) {
+    let corners = [[0.0, 0.0], [4.0, 0.0], [2.0, 3.0]];
+    let along = |k: usize| {
+        let ([x, y], [u, v]) = (corners[k % 3], corners[(k + 1) % 3]);
+        [-0.6, 1.6].map(|part| [x + part * (u - x), y + part * (v - y), part - 0.5])
+    };
+    chain(&(0..3).flat_map(along).collect::<Vec<_>>())
 }
 
 /// Where two lines on the paper cross, as parts of both.
@@ -91,13 +105,11 @@ fn leads_through(line: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     })
 }
 
-/// Where two beams cross on the paper that which is nearer is drawn later, with paper around it.
-#[test]
-fn what_is_near_hides_what_is_far() {
-    let (frame, beams) = crossing();
+/// Where two beams cross on the paper that which is nearer is drawn later, with paper around it. Gives how often that is.
+fn check_depth((frame, beams): &(Structure<Space>, Vec<[[f64; 3]; 2]>), views: &[[f64; 2]]) -> usize {
     let mut count = 0;
-    for [azimuth, elevation] in [[-45.0, 35.0], [-90.0, 0.0], [135.0, -20.0], [10.0, 80.0]] {
-        let picture = seen(&frame, View::of(azimuth, elevation));
+    for &[azimuth, elevation] in views {
+        let picture = seen(frame, View::of(azimuth, elevation));
         let scale = picture.number("data-scale");
         let shown = picture.shown("model");
         let places: Vec<_> = beams.iter().map(|beam| beam.map(|place| turned(place, azimuth, elevation))).collect();
@@ -126,7 +138,15 @@ fn what_is_near_hides_what_is_far() {
             count += 1;
         }
     }
+    count
+}
+
+#[test]
+fn what_is_near_hides_what_is_far() {
+    let count = check_depth(&crossing(), &[[-45.0, 35.0], [-90.0, 0.0], [135.0, -20.0], [10.0, 80.0]]);
     assert!(count > 30, "{count} crossings");
+    // from above, and from below
+    assert_eq!(check_depth(&woven(), &[[-90.0, 90.0], [-90.0, -90.0]]), 6);
 }
 
 /// The pieces of a beam are on its line and cover it.
@@ -135,14 +155,15 @@ fn pieces_make_the_whole_member() {
     let (frame, beams) = crossing();
     let picture = seen(&frame, View::front());
     let shown = picture.shown("model");
+    let (scale, [left, top]) = (picture.number("data-scale"), picture.in_model([0.0, 0.0]));
     for (index, [from, to]) in beams.iter().enumerate() {
         let name = format!("member {index}");
         let pieces: Vec<_> =
             shown.iter().filter(|shown| shown.name == name).flat_map(|shown| shown.lines(false)).collect();
         let part = |point: &[f64; 2]| {
-            let [x, z] = picture.in_model(*point);
-            let ([u, w], [x, z]) = ([to[0] - from[0], to[2] - from[2]], [x - from[0], z - from[2]]);
-            let beside = (x * w - z * u).abs() / u.hypot(w) * picture.number("data-scale");
+            let [x, z] = [left + point[0] / scale - from[0], top - point[1] / scale - from[2]];
+            let [u, w] = [to[0] - from[0], to[2] - from[2]];
+            let beside = (x * w - z * u).abs() / u.hypot(w) * scale;
             assert!(beside < DIGIT, "{name}: {beside}");
             (x * u + z * w) / (u * u + w * w)
         };
