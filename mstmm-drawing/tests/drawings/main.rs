@@ -13,6 +13,7 @@ mod places;
 mod reading;
 mod space;
 mod space_frames;
+mod space_sketch;
 mod space_views;
 mod supports;
 mod trees;

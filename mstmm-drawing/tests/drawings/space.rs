@@ -140,7 +140,7 @@ macro_rules! portal {
 }
 
 /// How far a place is from a line.
-fn beside(line: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
+pub(crate) fn beside(line: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     let from = |pair: &[[f64; 2]]| {
         let ([u, v], [a, b]) = ([pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]], [x - pair[0][0], y - pair[0][1]]);
         let part = ((a * u + b * v) / (u * u + v * v).max(1e-12)).clamp(0.0, 1.0);
