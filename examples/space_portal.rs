@@ -1,135 +1,125 @@
-//! A portal in space with a machine on a bushing: proven frequencies, how the machine and the roof move in each mode, and what the bushing alone
-//! would do on rigid ground.
+//! A portal in space with a machine on a bushing: proven frequencies, how the machine and the roof move in each mode, what the diameters of the tubes
+//! do, and what the bushing alone would do on rigid ground.
 
-use mstmm::frame::{Bar, Frame, Hinge, Point, RigidBody, Section, Space, Structure, Tensor};
-use mstmm::network::Support;
 use mstmm::prelude::*;
+use mstmm::sections;
 use mstmm_drawing::Drawing;
 use std::error::Error;
 use std::path::Path;
 
-/// A portal of four columns with a ring of girders, one across that carries the machine, and two braces.
-///
-/// ```text
-///          d ------- c
-///         /   m     /|        z  y
-///        a ---+--- b |        | /
-///        |   |     | |        |/
-///        |         |          +-- x
-/// ```
-#[derive(Clone, Copy, Debug)]
-pub struct SpacePortal {
-    /// Distance of the columns along x, and along y [m]
-    pub spans: [f64; 2],
-    /// Height of the columns [m]
-    pub height: f64,
-    /// A factor of all stiffnesses of the portal
-    pub stiffer: f64,
-    /// Mass of the machine [kg]
-    pub mass: f64,
-    /// Its moments of inertia about x, y and z through its mass centre [kg m²]
-    pub inertia: [f64; 3],
-    /// Height of its mass centre above the bushing [m]
-    pub above: f64,
-    /// Stiffness of the bushing along x and y, and along z [N/m]
-    pub stiffness: [f64; 2],
-    /// Stiffness of the bushing about x and y, and about z [N m]
-    pub rotational_stiffness: [f64; 2],
+system! {
+    /// A portal of four columns with a ring of girders, one across that carries the machine, and two braces.
+    ///
+    /// ```text
+    ///          d --------- c
+    ///         /    m      /|        z  y
+    ///        a ----+---- b |        | /
+    ///        |     |     | |        |/
+    ///        |           |          +-- x
+    /// ```
+    #[derive(Clone, Copy, Debug)]
+    pub struct SpacePortal {
+        /// Distance of the columns along x [m]
+        pub span: f64,
+        /// Distance of the columns along y [m]
+        pub depth: f64,
+        /// Height of the columns [m]
+        pub height: f64,
+        /// Outer diameter of all tubes [m]
+        pub outer: f64,
+        /// Inner diameter of all tubes [m]
+        pub inner: f64,
+        /// Young's modulus [Pa]
+        pub e: f64,
+        /// Shear modulus [Pa]
+        pub g: f64,
+        /// Density [kg/m³]
+        pub rho: f64,
+        /// Mass of the machine [kg]
+        pub mass: f64,
+        /// Its moment of inertia about x through its mass centre [kg m²]
+        pub inertia_x: f64,
+        /// That about y [kg m²]
+        pub inertia_y: f64,
+        /// That about z [kg m²]
+        pub inertia_z: f64,
+        /// Height of its mass centre above the bushing [m]
+        pub above: f64,
+        /// Stiffness of the bushing along x and y [N/m]
+        pub across: f64,
+        /// Stiffness of the bushing along z [N/m]
+        pub along: f64,
+        /// Stiffness of the bushing about x and y [N m]
+        pub tilt: f64,
+        /// Stiffness of the bushing about z [N m]
+        pub twist: f64,
+    }
+
+    let (area, i, _, j) = sections::tube(outer, inner);
+    section tube {
+        axial_stiffness: e * area, torsional_stiffness: g * j, bending_stiffness: e * i, mass_per_length: rho * area,
+        polar_inertia_per_length: 2.0 * rho * i,
+    }
+    section tie { axial_stiffness: 4e-4 * e, bending_stiffness: 1.5e-7 * e, mass_per_length: 5e-4 * rho }
+
+    fixed at (0.0, 0.0, 0.0) -> beam 1 { ..tube } -> conn a at (0.0, 0.0, height);
+    pinned at (span, 0.0, 0.0) -> beam 2 { ..tube } -> conn b at (span, 0.0, height);
+    fixed at (span, depth, 0.0) -> beam 3 { ..tube } -> conn c at (span, depth, height);
+    pinned at (0.0, depth, 0.0) -> beam 4 { ..tube } -> conn d at (0.0, depth, height);
+    conn a -> beam 5 { ..tube } -> conn front at (0.5 * span, 0.0, height) -> beam 6 { ..tube } -> conn b -> beam 7 { ..tube } -> conn c
+        -> beam 8 { ..tube } -> conn back at (0.5 * span, depth, height) -> beam 9 { ..tube } -> conn d -> beam 10 { ..tube } -> conn a;
+    conn front -> beam 11 { ..tube } -> conn middle at (0.5 * span, 0.5 * depth, height) -> beam 12 { ..tube } -> conn back;
+    pinned at (0.25, 0.0, 0.0) -> bar 13 { ..tie } -> conn d;
+    pinned at (span - 0.25, 0.0, 0.0) -> bar 14 { ..tie } -> conn c;
+    conn middle -> hinge 15 {
+        stiffness_x: across, stiffness_y: across, stiffness_z: along, stiffness_rx: tilt, stiffness_ry: tilt, stiffness_rz: twist,
+    } -> conn machine
+        -> rigid_body 16 { mass, inertia: (inertia_x, inertia_y, inertia_z), centre: (0.5 * span, 0.5 * depth, height + above) };
 }
 
 /// A portal of steel tubes with a machine of 180 kg.
 pub fn steel() -> SpacePortal {
     SpacePortal {
-        spans: [4.0, 2.6],
+        span: 4.0,
+        depth: 2.6,
         height: 3.0,
-        stiffer: 1.0,
+        outer: 0.12,
+        inner: 0.11,
+        e: 2.1e11,
+        g: 8.1e10,
+        rho: 7850.0,
         mass: 180.0,
-        inertia: [9.0, 12.0, 10.0],
+        inertia_x: 9.0,
+        inertia_y: 12.0,
+        inertia_z: 10.0,
         above: 0.35,
-        stiffness: [4e5, 9e5],
-        rotational_stiffness: [3e4, 1.2e4],
+        across: 4e5,
+        along: 9e5,
+        tilt: 3e4,
+        twist: 1.2e4,
     }
-}
-
-/// The portal, and what one asks about it.
-#[derive(Debug)]
-pub struct Portal {
-    /// The portal, built
-    pub structure: Structure<Space>,
-    /// A corner of the roof
-    pub corner: Point<Space>,
-    /// The machine, where the bushing holds it
-    pub machine: Point<Space>,
 }
 
 impl SpacePortal {
-    /// The portal, built.
-    ///
-    /// # Errors
-    /// A parameter out of its range.
-    pub fn build(&self) -> Result<Portal, Box<dyn Error>> {
-        let [x, y] = self.spans;
-        let z = self.height;
-        let tube = Section::new()
-            .axial_stiffness(4e8 * self.stiffer)
-            .torsional_stiffness(9e5 * self.stiffer)
-            .bending_stiffness(1.2e6 * self.stiffer)
-            .mass_per_length(16.0)
-            .polar_inertia_per_length(0.09);
-        let tie = Bar(Section::new()
-            .axial_stiffness(8e7 * self.stiffer)
-            .bending_stiffness(3e4 * self.stiffer)
-            .mass_per_length(4.0));
-        let mut frame = Frame::new();
-        let corners = [[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]];
-        let feet = corners.map(|[x, y]| frame.point([x, y, 0.0]));
-        let roof = corners.map(|[x, y]| frame.point([x, y, z]));
-        let [front, middle, back, machine] =
-            [[0.0, z], [0.5 * y, z], [y, z], [0.5 * y, z]].map(|[y, z]| frame.point([0.5 * x, y, z]));
-        for (foot, head) in feet.into_iter().zip(roof) {
-            frame.member(foot, head, tube);
-        }
-        for (foot, support) in feet.into_iter().zip([Support::Fixed, Support::Pinned, Support::Fixed, Support::Pinned])
-        {
-            frame.hold(foot, support);
-        }
-        let [a, b, c, d] = roof;
-        for (from, to) in
-            [(a, front), (front, b), (b, c), (c, back), (back, d), (d, a), (front, middle), (middle, back)]
-        {
-            frame.member(from, to, tube);
-        }
-        frame.member(feet[0], d, tie);
-        frame.member(feet[1], c, tie);
-        let ([across, along], [tilt, twist]) = (self.stiffness, self.rotational_stiffness);
-        let bushing = Hinge::new().stiffness_x(across).stiffness_y(across).stiffness_z(along);
-        let bushing = bushing.stiffness_rx(tilt).stiffness_ry(tilt).stiffness_rz(twist);
-        frame.member(middle, machine, bushing);
-        let inertia = Tensor::principal(self.inertia);
-        let body = RigidBody { mass: self.mass, inertia, centre: [0.5 * x, 0.5 * y, z + self.above] };
-        frame.body([machine], body);
-        Ok(Portal { structure: frame.build()?, corner: a, machine })
-    }
-
     /// The frequencies of the machine on the bushing alone, up and down and about z [rad/s].
     pub fn on_rigid_ground(&self) -> [f64; 2] {
-        [(self.stiffness[1] / self.mass).sqrt(), (self.rotational_stiffness[1] / self.inertia[2]).sqrt()]
+        [(self.along / self.mass).sqrt(), (self.twist / self.inertia_z).sqrt()]
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = steel();
     let portal = model.build()?;
-    let roots = portal.structure.frequencies(8)?;
+    let roots = portal.first_frequencies::<8>()?;
     println!(
-        "Natural frequencies, each proven, and displacements of a corner of the roof and of the machine, the largest of them 1"
+        "Natural frequencies, each proven; motions of a corner of the roof and of the machine, the largest of them 1"
     );
     println!(
         "mode  f [Hz]   ω [rad/s]           interval [rad/s]                            corner x, y, z         machine x, y, z"
     );
     for (mode, root) in roots.iter().enumerate() {
-        let shape = portal.structure.mode_shape(root)?;
-        let [corner, machine] = [shape.motion_of(portal.corner)?, shape.motion_of(portal.machine)?];
+        let shape = portal.mode_shape(root)?;
+        let [corner, machine] = [shape.motion_of(SpacePortal::conn_a)?, shape.motion_of(SpacePortal::conn_machine)?];
         let largest = corner[..3].iter().chain(&machine[..3]).fold(0.0, |most: f64, part| most.max(part.abs()));
         let written = |motion: [f64; 6]| [0, 1, 2].map(|k| format!("{:6.3}", motion[k] / largest + 0.0)).join(" ");
         println!(
@@ -143,24 +133,30 @@ fn main() -> Result<(), Box<dyn Error>> {
             written(machine)
         );
     }
-    let stiff = SpacePortal { stiffer: 1e6, ..model };
-    let found = stiff.build()?.structure.frequencies(6)?;
+    println!("\nRelative change of the first frequency per relative change of some fields");
+    let slopes = portal.sensitivity(&roots[0])?;
+    let fields = [("outer", model.outer), ("inner", model.inner), ("height", model.height), ("mass", model.mass)];
+    for (name, value) in fields {
+        let slope = slopes.get(name).ok_or(name)?;
+        println!("{name:8} {:9.5}", slope * value / roots[0].omega);
+    }
+    let found = SpacePortal { e: 1e6 * model.e, g: 1e6 * model.g, ..model }.build()?.first_frequencies::<6>()?;
     println!("\nOn a portal a million times as stiff, and on rigid ground [rad/s]");
     for ground in model.on_rigid_ground() {
         let distance = |omega: f64| (omega - ground).abs();
         let near = found.iter().map(|root| root.omega).min_by(|a, b| distance(*a).total_cmp(&distance(*b)));
         println!("{:12.6} {ground:12.6}", near.ok_or("no frequency")?);
     }
-    draw(&portal.structure)
+    draw(&portal)
 }
 
 /// Draws the first modes in files whose names end with their numbers, given a file by `--svg`.
-fn draw(structure: &Structure<Space>) -> Result<(), Box<dyn Error>> {
+fn draw(portal: &SpacePortalSystem) -> Result<(), Box<dyn Error>> {
     let Some(file) = std::env::args().skip_while(|argument| argument != "--svg").nth(1) else { return Ok(()) };
-    for (mode, root) in structure.frequencies(6)?.iter().enumerate() {
-        let shape = structure.mode_shape(root)?;
+    for (mode, root) in portal.first_frequencies::<6>()?.iter().enumerate() {
+        let shape = portal.mode_shape(root)?;
         let stem = Path::new(&file).with_extension("");
-        Drawing::of(structure)?.mode(&shape)?.write(format!("{}_{}.svg", stem.display(), mode + 1))?;
+        Drawing::of(portal)?.mode(&shape)?.write(format!("{}_{}.svg", stem.display(), mode + 1))?;
     }
     Ok(())
 }

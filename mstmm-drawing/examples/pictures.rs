@@ -33,8 +33,8 @@ pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> 
     let spring_and_mass = models::spring_and_mass().build()?;
     let two_spans = models::two_spans().build()?;
     let damped_oscillator = models::damped_oscillator().build()?;
-    let in_space = space_portal::steel().build()?.structure;
-    let third = in_space.mode_shape(&in_space.frequencies(3)?[2])?;
+    let in_space = space_portal::steel().build()?;
+    let third = in_space.mode_shape(&in_space.first_frequencies::<3>()?[2])?;
     Ok(vec![
         ("portal", Drawing::of(&system)?.to_string()),
         ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),

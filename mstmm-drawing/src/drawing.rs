@@ -26,6 +26,8 @@ pub struct Drawing<M> {
     /// A force with its diagrams, and its unit on the paper.
     pub(crate) force: Option<(Force, Vec<Diagram>, f64)>,
     ordinates: Ordinates,
+    /// Whether points and parts have their labels.
+    pub(crate) is_labelled: bool,
 }
 
 /// The values of a force along members, for other views.
@@ -65,7 +67,13 @@ impl<M> Drawing<M> {
     where
         Y: Sketched<Kind> + Figured<Kind, Model = M>,
     {
-        Ok(Drawing { figure: system.figure()?, motion: None, force: None, ordinates: Ordinates::None })
+        Ok(Drawing {
+            figure: system.figure()?,
+            motion: None,
+            force: None,
+            ordinates: Ordinates::None,
+            is_labelled: true,
+        })
     }
 
     /// The drawing with a motion over it: a mode shape, or of a frame the states of a response. Where the reader's settings allow, it moves.
@@ -108,6 +116,21 @@ impl<M> Drawing<M> {
             self.force = Some(self.ordinates.diagrams(&self.figure, force)?);
         }
         Ok(self)
+    }
+
+    /// The drawing without labels of points and parts, as large models want it. Diagrams keep their values.
+    ///
+    /// ```
+    /// use mstmm_drawing::Drawing;
+    /// let system = paper::models::two_spans().build().unwrap();
+    /// let [with, without] = [Drawing::of(&system)?, Drawing::of(&system)?.without_labels()].map(|drawing| drawing.to_string());
+    /// assert!(without.len() < with.len());
+    /// # Ok::<(), mstmm_drawing::DrawingError>(())
+    /// ```
+    #[must_use]
+    pub fn without_labels(mut self) -> Self {
+        self.is_labelled = false;
+        self
     }
 
     /// Writes the drawing to a file.

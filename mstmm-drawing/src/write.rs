@@ -176,10 +176,10 @@ fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wanted> {
             wanted.extend(Some(label).filter(|_| is_new));
         }
     };
-    for anchor in &figure.anchors {
+    for anchor in figure.anchors.iter().filter(|_| drawing.is_labelled) {
         add(anchor.name.as_deref().unwrap_or_default(), "point", anchor.at);
     }
-    for part in figure.parts.iter().filter(|part| part.kind != Kind::Tie) {
+    for part in figure.parts.iter().filter(|part| drawing.is_labelled && part.kind != Kind::Tie) {
         let [from, to] = [part.ends[0], part.ends[part.ends.len() - 1]].map(|end| figure.anchors[end].at);
         let is_joint = part.kind.is_joint() && from == to;
         add(

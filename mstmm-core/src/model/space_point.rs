@@ -32,6 +32,12 @@ impl<M> SpacePoint<M> {
     }
 }
 
+impl<M> From<SpacePoint<M>> for PlanePoint<M> {
+    fn from(point: SpacePoint<M>) -> Self {
+        point.label
+    }
+}
+
 asked_along_y!([M] SpacePoint<M>, M);
 asked_along_x!([M] SpacePoint<M>, M);
 asked_in_space!([M] SpacePoint<M>, M);
