@@ -7,7 +7,7 @@ system! {
     conn a <- held { x };
 //            ^^^^ `held` names in parentheses what it holds, such as `held(x, rz)`
     conn a <- held(1);
-//                 ^ expected a freedom, `x`, `y` or `rz`
+//                 ^ expected a freedom, such as `x`, `y` or `rz`
     conn a <- held(x y);
 //                   ^ expected `,` between freedoms
 }

@@ -7,7 +7,9 @@ system! {
     }
     fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.0, 0.0)
         -> pin 2 {} -> beam 3 { ..steel } -> conn b at (l, l, 0.0)
+//         ^^^ `pin` is a joint of the plane: take `revolute_joint { axis: (..) }` or `ball_joint {}`
         -> slider 4 { along: (1.0, 0.0, 0.0) } -> beam 5 { ..steel } -> fixed at (l, l, l);
+//         ^^^^^^ `slider` is a joint of the plane: take `prismatic_joint { axis: (..) }`
 }
 
 fn main() {}

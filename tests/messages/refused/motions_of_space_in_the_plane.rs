@@ -7,5 +7,7 @@ system! {
 
 fn main() {
     let _ = M::conn_a.displacement_z();
+//                    ^^^^^^^^^^^^^^ no method named `displacement_z` found for struct `PlanePoint<M>` in the current scope
     let _ = M::beam_1.input().torque();
+//                            ^^^^^^ the method `torque` exists for struct `MemberEnd<M>`, but its trait bounds were not satisfied
 }

@@ -7,7 +7,9 @@ system! {
     }
     fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (l, 0.0, 0.0);
     conn a <- torsion_spring 2 { stiffness: l } <- fixed;
+//         ^^ a path that turns acts about an axis: `conn a <- about (0.0, 0.0, 1.0) <- ..`
     conn a <- along (0.0, 0.0, 1.0) <- torsion_spring 3 { stiffness: l } <- fixed;
+//            ^^^^^ a path that turns acts about an axis: `conn a <- about (0.0, 0.0, 1.0) <- ..`
 }
 
 fn main() {}
