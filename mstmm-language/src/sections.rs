@@ -1,6 +1,6 @@
 //! Sections: parameters that elements share. Each expression becomes a `let` line, which elements name.
 
-use crate::ast::{Element, Model, Parameter, Section};
+use crate::ast::{Element, Model, Parameter, Section, tuple_parts};
 use crate::check::listed;
 use crate::diagnostics::Errors;
 use crate::keywords::nearest;
@@ -10,7 +10,8 @@ use quote::{format_ident, quote_spanned};
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
 use syn::parse::Parser;
-use syn::{Block, Expr, ExprPath, Local, Stmt};
+use syn::token::Paren;
+use syn::{Block, Expr, ExprPath, ExprTuple, Local, Stmt};
 
 /// Gives each element the parameters of its sections that it does not name itself. Returns the sections that no element has.
 pub(crate) fn spread(model: &mut Model, errors: &mut Errors) -> Vec<Ident> {
@@ -18,7 +19,7 @@ pub(crate) fn spread(model: &mut Model, errors: &mut Errors) -> Vec<Ident> {
     let sections = std::mem::take(&mut model.sections);
     let lines: Vec<Local> = sections
         .iter()
-        .flat_map(|section| section.parameters.iter().filter_map(|parameter| line(section, parameter, &model.facade)))
+        .flat_map(|section| section.parameters.iter().flat_map(|parameter| lines(section, parameter, &model.facade)))
         .collect();
     model.lets.extend(lines);
     let facade = model.facade.clone();
@@ -50,15 +51,41 @@ fn check_sections(sections: &[Section], errors: &mut Errors) {
     }
 }
 
-/// The variable of a parameter of a section: no name of the user's, since it has the meaning of emitted code.
-fn variable(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Ident {
+/// The expressions of a parameter of a section, of a tuple those of its parts, each with its variable: no name of the user's, since it has the meaning
+/// of emitted code.
+fn variables(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Vec<(Ident, Expr)> {
     let span = emitted_at(facade, parameter.name.span());
-    format_ident!("_section_{}_{}", section.name.unraw(), parameter.name.unraw(), span = span)
+    let value = parameter.expression();
+    let name = format!("_section_{}_{}", section.name.unraw(), parameter.name.unraw());
+    let of_part = |(part, value): (usize, &Expr)| (format_ident!("{name}_{part}", span = span), value.clone());
+    match tuple_parts(&value) {
+        Some(parts) => parts.into_iter().enumerate().map(of_part).collect(),
+        None => vec![(format_ident!("{name}", span = span), value)],
+    }
 }
 
-/// `let variable: f64 = expression;`
-fn line(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Option<Local> {
-    let (variable, value) = (variable(section, parameter, facade), parameter.expression());
+/// What an element has of a parameter of a section: its variable, or a tuple of its variables.
+fn spread_value(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Expr {
+    let path = |(variable, _): (Ident, Expr)| {
+        Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path: variable.into() })
+    };
+    let mut parts: Vec<Expr> = variables(section, parameter, facade).into_iter().map(path).collect();
+    match parts.pop() {
+        Some(only) if parts.is_empty() => only,
+        last => {
+            let elems = parts.into_iter().chain(last).collect();
+            Expr::Tuple(ExprTuple { attrs: Vec::new(), paren_token: Paren(parameter.name.span()), elems })
+        }
+    }
+}
+
+/// `let variable: f64 = expression;` for each variable.
+fn lines(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Vec<Local> {
+    let variables = variables(section, parameter, facade).into_iter();
+    variables.filter_map(|(variable, value)| line(parameter, &variable, &value)).collect()
+}
+
+fn line(parameter: &Parameter, variable: &Ident, value: &Expr) -> Option<Local> {
     // a type that is not `f64` is shown at the expression, and what is expected at the name
     let float = quote_spanned!(parameter.name.span()=> ::core::primitive::f64);
     let statement = quote_spanned!(variable.span()=> let #variable: #float = #value;);
@@ -97,8 +124,7 @@ fn spread_into(
                 errors.push(name.span(), message);
                 continue;
             }
-            let path = variable(section, parameter, facade).into();
-            let value = Some(Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path }));
+            let value = Some(spread_value(section, parameter, facade));
             given.push(Parameter {
                 name: parameter.name.clone(),
                 value,

@@ -11,6 +11,9 @@ pub struct Elimination {
     /// Ends of cut members on the boundary of the front, once the node is eliminated.
     ends: usize,
     is_eliminated: bool,
+    /// Members at the node that its elimination cuts, and those that are cut already.
+    new: usize,
+    taken: usize,
     /// The first node whose front this one takes up, and the next one that its parent does.
     first_child: usize,
     next_sibling: usize,
@@ -18,8 +21,15 @@ pub struct Elimination {
 
 impl Elimination {
     /// A node about which nothing is known yet.
-    pub const UNKNOWN: Elimination =
-        Elimination { parent: NONE, ends: 0, is_eliminated: false, first_child: NONE, next_sibling: NONE };
+    pub const UNKNOWN: Elimination = Elimination {
+        parent: NONE,
+        ends: 0,
+        is_eliminated: false,
+        new: 0,
+        taken: 0,
+        first_child: NONE,
+        next_sibling: NONE,
+    };
 }
 
 /// The nodes of each member, and the members of each node.
@@ -144,6 +154,11 @@ pub(crate) const fn eliminated_in_order(
     nodes: &mut [Elimination],
     order: &mut [usize],
 ) -> usize {
+    let mut node = 0;
+    while node < nodes.len() {
+        nodes[node].new = beyond_itself(incidence, node);
+        node += 1;
+    }
     loop {
         let node = next_node(incidence, nodes);
         if node == NONE {
@@ -161,16 +176,30 @@ pub(crate) const fn eliminated_in_order(
     count
 }
 
+/// The number of ends at a node whose members lead to another one.
+const fn beyond_itself(incidence: &Incidence<'_>, node: usize) -> usize {
+    let here = incidence.ends(node);
+    let (mut count, mut k) = (0, 0);
+    while k < here.len() {
+        if incidence.beyond(here[k]) != node {
+            count += 1;
+        }
+        k += 1;
+    }
+    count
+}
+
 /// The node with members that is not eliminated yet and cuts the fewest ones; of several the one at which most are cut already.
 const fn next_node(incidence: &Incidence<'_>, nodes: &[Elimination]) -> usize {
-    let (mut best, mut least) = (NONE, Boundary { ends: 0, new: usize::MAX, taken: 0 });
+    let (mut best, mut new, mut taken) = (NONE, usize::MAX, 0);
     let mut node = 0;
     while node < nodes.len() {
-        if !nodes[node].is_eliminated && !incidence.ends(node).is_empty() {
-            let own = boundary(incidence, nodes, node);
-            if own.new < least.new || (own.new == least.new && own.taken > least.taken) {
-                (best, least) = (node, own);
-            }
+        let own = &nodes[node];
+        if (own.new < new || (own.new == new && own.taken > taken))
+            && !own.is_eliminated
+            && !incidence.ends(node).is_empty()
+        {
+            (best, new, taken) = (node, own.new, own.taken);
         }
         node += 1;
     }
@@ -186,34 +215,18 @@ const fn front_of(nodes: &[Elimination], node: usize) -> usize {
     front
 }
 
-/// What becomes of the cut members where a node is eliminated.
-struct Boundary {
-    /// Ends on the boundary of its front.
-    ends: usize,
-    /// Members that it cuts.
-    new: usize,
-    /// Members at the node that were cut before.
-    taken: usize,
-}
-
-/// The boundary of the front of a node.
-const fn boundary(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize) -> Boundary {
+/// The ends of cut members on the boundary of the front of a node.
+const fn boundary(incidence: &Incidence<'_>, nodes: &[Elimination], node: usize) -> usize {
     let here = incidence.ends(node);
-    let (mut added, mut new, mut taken) = (0, 0, 0);
-    let mut k = 0;
+    let (mut added, mut k) = (0, 0);
     while k < here.len() {
         let other = incidence.beyond(here[k]);
-        if nodes[other].is_eliminated {
-            taken += 1;
-            if is_first(incidence, nodes, node, k) {
-                added += nodes[front_of(nodes, other)].ends;
-            }
-        } else if other != node {
-            new += 1;
+        if nodes[other].is_eliminated && is_first(incidence, nodes, node, k) {
+            added += nodes[front_of(nodes, other)].ends;
         }
         k += 1;
     }
-    Boundary { ends: added + new - taken, new, taken }
+    added + nodes[node].new - nodes[node].taken
 }
 
 /// Whether an end is the first one of a node that leads to its front.
@@ -241,7 +254,7 @@ const fn give_to(nodes: &mut [Elimination], front: usize, node: usize) {
 /// Eliminates a node: the fronts next to it become its own.
 const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usize) {
     let here = incidence.ends(node);
-    nodes[node].ends = boundary(incidence, nodes, node).ends;
+    nodes[node].ends = boundary(incidence, nodes, node);
     let mut k = 0;
     while k < here.len() {
         let other = incidence.beyond(here[k]);
@@ -250,6 +263,9 @@ const fn take_up(incidence: &Incidence<'_>, nodes: &mut [Elimination], node: usi
             if front != node {
                 give_to(nodes, front, node);
             }
+        } else if other != node {
+            nodes[other].new -= 1;
+            nodes[other].taken += 1;
         }
         k += 1;
     }

@@ -47,6 +47,11 @@ impl PathNode {
         PathNode { freedoms, is_supported, rank: UNREACHED, leaving: None, reference: None }
     }
 
+    /// Whether a path leads from it already.
+    const fn is_reached(&self) -> bool {
+        self.rank != UNREACHED
+    }
+
     /// The end of the member by which the path of the node goes on; none at the root.
     pub const fn leaving(&self) -> Option<usize> {
         self.leaving
@@ -94,11 +99,18 @@ impl PathNode {
 pub const fn lead_paths(nodes: &mut [PathNode], members: &[PathMember]) {
     let mut node = root(nodes);
     let mut rank = 0;
-    let widest = widest(members);
+    // members before the first one lead nowhere any more
+    let (mut first, widest) = (0, widest(members));
     loop {
         nodes[node].rank = rank;
         rank += 1;
-        let Some(end) = widest_end(nodes, members, widest) else { break };
+        while first < members.len()
+            && nodes[members[first].nodes[0]].is_reached()
+            && nodes[members[first].nodes[1]].is_reached()
+        {
+            first += 1;
+        }
+        let Some(end) = widest_end(nodes, members, (first, widest)) else { break };
         node = members[end / 2].nodes[end % 2];
         nodes[node].leaving = Some(end);
     }
@@ -146,17 +158,17 @@ const fn widest(members: &[PathMember]) -> usize {
     widest
 }
 
-/// The end, at a node that is not reached yet, of the widest member that leads from there to one that is; none is wider than a given width.
-const fn widest_end(nodes: &[PathNode], members: &[PathMember], widest: usize) -> Option<usize> {
-    let (mut best, mut width) = (None, 0);
-    let mut end = 0;
-    while end < 2 * members.len() && width < widest {
-        let PathMember { nodes: pair, freedoms, .. } = members[end / 2];
-        let leads = nodes[pair[end % 2]].rank == UNREACHED && nodes[pair[1 - end % 2]].rank != UNREACHED;
-        if leads && freedoms.count() > width {
-            (best, width) = (Some(end), freedoms.count());
+/// The end, at a node that is not reached yet, of the widest member that leads from there to one that is, of the members from one on; none is wider
+/// than a given width.
+const fn widest_end(nodes: &[PathNode], members: &[PathMember], (first, widest): (usize, usize)) -> Option<usize> {
+    let (mut best, mut width, mut member) = (None, 0, first);
+    while member < members.len() && width < widest {
+        let [from, to] = members[member].nodes;
+        let is_from_reached = nodes[from].is_reached();
+        if is_from_reached != nodes[to].is_reached() && members[member].freedoms.count() > width {
+            (best, width) = (Some(2 * member + is_from_reached as usize), members[member].freedoms.count());
         }
-        end += 1;
+        member += 1;
     }
     best
 }

@@ -15,12 +15,6 @@ pub struct SpacePoint<M> {
 plain!(SpacePoint<M>, label);
 
 impl<M> SpacePoint<M> {
-    /// For emitted code: a node, by its index.
-    #[doc(hidden)]
-    pub const fn node(node: usize) -> Self {
-        SpacePoint { label: PlanePoint::node(node) }
-    }
-
     /// For emitted code: a place that a node ties rigidly.
     #[doc(hidden)]
     pub const fn tied(tied: Tied) -> Self {

@@ -86,6 +86,7 @@ impl LocatedKeyword {
             return [own.to_vec(), Vec::new()];
         }
         if dimension == Dimension::Space
+            && self.role != Role::Path
             && let Some(row) = in_space(self.name)
         {
             return row.parameters();

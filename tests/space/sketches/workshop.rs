@@ -17,8 +17,9 @@ system! {
         axial_stiffness: ea, torsional_stiffness: gj, bending_stiffness_y: weak, bending_stiffness_z: ei, mass_per_length: m,
         polar_inertia_per_length: ip,
     }
+    section column { up: (1.0, lean, 0.25) }
     fixed -> conn ground at (0.0, 0.0, 0.0)
-        -> beam 1 { ..steel, up: (1.0, lean, 0.25) } -> conn a at (0.0, 0.5 * lean, height)
+        -> beam 1 { ..steel, ..column } -> conn a at (0.0, 0.5 * lean, height)
         -> beam 2 { ..steel, shear_stiffness: shear, rotary_inertia: rotary } -> conn b at (span, 0.0, height)
         -> beam 3 { ..steel } -> conn c at (span, depth, height)
         <- beam 4 { ..steel, up: (1.0, 0.0, lean), shear_stiffness_y: shear } <- conn foot at (span, depth, 0.0) <- roller normal (lean, slope, 1.0);

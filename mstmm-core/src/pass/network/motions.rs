@@ -1,7 +1,7 @@
 //! The motions that its supports leave a node.
 
 use crate::model::{Skew, across};
-use crate::number::{Frequency, Parameter, Truth};
+use crate::number::{Frequency, Parameter, Truth, binary_exponent};
 use crate::pass::network::placed_node::{PlacedNode, XYZ};
 use crate::pass::network::vector::{DISPLACEMENTS, Six};
 use crate::structure::MOST_MOTIONS;
@@ -48,6 +48,13 @@ pub struct Motions<T> {
     pub(crate) is_of_path: bool,
 }
 
+/// A direction over a power of two, with which its largest part is at least 1 and less than 2: displacements of the node are of the size of its motions,
+/// however long the direction is.
+fn of_size_one<T: Parameter>(direction: [T; 3]) -> [T; 3] {
+    let largest = direction.iter().fold(0.0, |largest: f64, part| largest.max(part.to_f64().abs()));
+    direction.map(|part| part.times_power_of_two(-binary_exponent(largest)))
+}
+
 impl<T: Parameter> Motions<T> {
     /// No motions.
     pub(crate) fn none() -> Self {
@@ -68,8 +75,9 @@ impl<T: Parameter> Motions<T> {
             motions.count += 1;
         };
         match node.skew {
-            Some(Skew::Along(direction)) => push(Direction::Along(direction)),
+            Some(Skew::Along(direction)) => push(Direction::Along(of_size_one(direction))),
             Some(Skew::Normal(normal)) => {
+                let normal = of_size_one(normal);
                 let sizes = normal.map(|part| part.to_f64().abs());
                 across(normal, sizes, T::zero()).into_iter().for_each(|own| push(Direction::Along(own)));
             }

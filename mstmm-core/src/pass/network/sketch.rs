@@ -212,28 +212,32 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     /// The paths of its overall transfer equation.
     pub const fn paths(&self) -> [PathNode; NODES] {
         let mut nodes = [PathNode::NONE; NODES];
-        let mut node = 0;
+        let (mut node, released) = (0, self.released());
         while node < NODES {
             let SketchedNode { freedoms, held, skew, .. } = self.nodes[node];
-            nodes[node] = PathNode::new(freedoms.union(self.released_at(node)), held, skew.is_some());
+            nodes[node] = PathNode::new(freedoms.union(released[node]), held, skew.is_some());
             node += 1;
         }
         lead_paths(&mut nodes, &self.path_members());
         nodes
     }
 
-    /// The freedoms that ends of members have at a node and do not share with it: in states there they are, held where the node has them not. In
+    /// The freedoms that ends of members have at each node and do not share with it: in states there they are, held where the node has them not. In
     /// space axes of members are not those of nodes: one displacement brings all, and one rotation.
-    const fn released_at(&self, node: usize) -> Freedoms {
-        let (mut released, mut member) = (Freedoms::NONE, 0);
+    const fn released(&self) -> [Freedoms; NODES] {
+        let (mut released, mut member) = ([Freedoms::NONE; NODES], 0);
         while member < MEMBERS {
             let own = &self.members[member];
-            if self.node_of(&own.ends[0]) == node || self.node_of(&own.ends[1]) == node {
-                released = released.union(freedoms_of_part(own.part(), own.released));
+            if !own.released.is_empty() {
+                let freedoms = freedoms_of_part(own.part(), own.released);
+                let freedoms = if self.is_in_space { freedoms.in_any_axes() } else { freedoms };
+                let [from, to] = [self.node_of(&own.ends[0]), self.node_of(&own.ends[1])];
+                released[from] = released[from].union(freedoms);
+                released[to] = released[to].union(freedoms);
             }
             member += 1;
         }
-        if self.is_in_space { released.in_any_axes() } else { released }
+        released
     }
 
     /// Its members as paths know them.
@@ -277,6 +281,11 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
     /// The label of a point in a model in space.
     pub const fn label_in_space<M>(&self, point: usize) -> SpacePoint<M> {
         SpacePoint::tied(self.tied(point, Freedoms::X.union(Freedoms::Y).union(Freedoms::Z)))
+    }
+
+    /// Where a mass of a path is: it has the one motion of its node.
+    pub const fn of_path(&self, node: usize) -> Tied {
+        Tied { node, place: None, freedoms: self.nodes[node].freedoms, hold: None }
     }
 
     /// Where a point is, given the displacements of points.

@@ -24,29 +24,7 @@ pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
     };
     let single = quote_spanned!(names.here=> #frequency: #private::Single);
     let all_bounds: Vec<TokenStream> = bounds("TransferMatrix", skeleton, names).into_iter().chain([single]).collect();
-    let transfers = answers_of_members(skeleton, names, |kind, span| {
-        let transfer = names.function_at("member_transfer", span);
-        quote_spanned!(names.here=> #transfer::<#kind, #frequency>(built, x))
-    });
-    let parts = (skeleton.dimension == Dimension::Space).then(|| {
-        quote_spanned! {names.here=>
-            fn parts(&self, first: ::core::primitive::usize) -> ::core::ops::Range<::core::primitive::usize> {
-                SKETCH.parts(first)
-            }
-        }
-    });
-    let body = quote_spanned! {names.here=>
-        fn transfer(
-            &self,
-            member: ::core::primitive::usize,
-            x: #frequency,
-        ) -> ::core::option::Option<#private::MemberTransfer<#frequency>> {
-            #transfers
-        }
-
-        #parts
-    };
-    let transfers = implement("PlacedTransfers", "Real", all_bounds.clone(), &body, names);
+    let transfers = transfers(skeleton, all_bounds.clone(), names);
     let body = quote_spanned! {names.here=>
         type Matrix = #private::SMatrix<#frequency, #size, #size>;
 
@@ -72,4 +50,32 @@ pub(super) fn overall(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
         #transfers
         #evaluate
     }
+}
+
+/// `impl PlacedTransfers<S>`.
+fn transfers(skeleton: &Skeleton<'_>, bounds: Vec<TokenStream>, names: &Names) -> TokenStream {
+    let Names { private, frequency, .. } = names;
+    let transfers = answers_of_members(skeleton, names, |kind, span| {
+        let transfer = names.function_at("member_transfer", span);
+        quote_spanned!(names.here=> #transfer::<#kind, #frequency>(built, x))
+    });
+    let parts = (skeleton.dimension == Dimension::Space).then(|| {
+        quote_spanned! {names.here=>
+            fn parts(&self, first: ::core::primitive::usize) -> ::core::ops::Range<::core::primitive::usize> {
+                SKETCH.parts(first)
+            }
+        }
+    });
+    let body = quote_spanned! {names.here=>
+        fn transfer(
+            &self,
+            member: ::core::primitive::usize,
+            x: #frequency,
+        ) -> ::core::option::Option<#private::MemberTransfer<#frequency>> {
+            #transfers
+        }
+
+        #parts
+    };
+    implement("PlacedTransfers", "Real", bounds, &body, names)
 }

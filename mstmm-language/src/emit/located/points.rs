@@ -70,7 +70,7 @@ fn of_member(model: &Model, index: usize, member: &Member<'_>, names: &Names) ->
     Some(label(model, &constant, element, [kind, value], names))
 }
 
-/// A mass on a path, whose motion along the path is its x.
+/// A mass on a path, whose motion along the path is its x, or an inertia, whose rotation is that about its z.
 fn of_mass(model: &Model, skeleton: &Skeleton<'_>, body: &Body<'_>, names: &Names) -> Option<TokenStream> {
     let Body { element, node, .. } = body;
     if skeleton.nodes[*node].place.is_some() {
@@ -79,7 +79,7 @@ fn of_mass(model: &Model, skeleton: &Skeleton<'_>, body: &Body<'_>, names: &Name
     let constant = constant(&element.kind.name().to_string(), &element.label, names);
     let is_in_space = skeleton.dimension == Dimension::Space;
     let kind = point_type(model, is_in_space, names);
-    let value = quote_spanned!(names.here=> <#kind>::node(#node));
+    let value = quote_spanned!(names.here=> <#kind>::tied(SKETCH.of_path(#node)));
     Some(label(model, &constant, element, [kind, value], names))
 }
 
