@@ -66,9 +66,8 @@ fn variables(section: &Section, parameter: &Parameter, facade: &TokenStream) -> 
 
 /// What an element has of a parameter of a section: its variable, or a tuple of its variables.
 fn spread_value(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Expr {
-    let path = |(variable, _): (Ident, Expr)| {
-        Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path: variable.into() })
-    };
+    let path =
+        |(variable, _): (Ident, Expr)| Expr::Path(ExprPath { attrs: Vec::new(), qself: None, path: variable.into() });
     let mut parts: Vec<Expr> = variables(section, parameter, facade).into_iter().map(path).collect();
     match parts.pop() {
         Some(only) if parts.is_empty() => only,

@@ -1,6 +1,7 @@
 //! Sketches in space beside frames that the program describes.
 #![expect(clippy::unwrap_used, reason = "a structure that cannot be built fails the test")]
 
+mod directions;
 mod one_thing;
 mod overall;
 mod portal;

@@ -75,7 +75,7 @@ impl fmt::Display for Requirement {
             Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
             Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),
             Requirement::Orientation => {
-                write!(f, "at an angle to the member: name `up`, a vector that becomes its z axis")
+                write!(f, "at an angle to that: name another `up`, a vector that becomes the z axis")
             }
         }
     }
@@ -115,7 +115,7 @@ impl fmt::Display for InvalidParameter {
             Requirement::Orientation => {
                 write!(
                     f,
-                    "{parameter} is along the member, with the sine {}, but must be {requirement}",
+                    "{parameter} leads along the x axis, with the sine {}, but must be {requirement}",
                     Readable(*value)
                 )
             }

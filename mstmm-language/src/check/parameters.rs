@@ -68,7 +68,9 @@ fn instead_of(
     if let Some(other) = elsewhere(element, &name) {
         return format!("it has that {other} alone, so remove it");
     }
-    if !renamed.is_empty() {
+    // in space a hinge has six of them
+    let is_ambiguous = element.dimension == Dimension::Space && name == "stiffness";
+    if !renamed.is_empty() && !is_ambiguous {
         return format!("write `{}`", renamed.join("` or `"));
     }
     let all: Vec<&'static str> = required.iter().chain(optional).copied().collect();

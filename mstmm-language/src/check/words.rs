@@ -103,6 +103,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
     if !is_known(element) {
         let text = element.kind.name().to_string();
         let message = match (located_of(&text), old_word(&text)) {
+            (Some(row), _) if row.is_of_space() => format!("`{text}` {NEEDS_PLACES}").replace("(x, y)", "(x, y, z)"),
             (Some(_), _) => format!("`{text}` {NEEDS_PLACES}"),
             (None, Some(word)) => {
                 let row = element_of(word.new, element.dimension);

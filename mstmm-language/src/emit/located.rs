@@ -33,6 +33,10 @@ pub(crate) fn located(
         let message = format!("nothing joins {name} to the rest of the model: a model is one structure");
         syn::Error::new(model.parameters.ident.span(), message)
     };
+    if skeleton.members.is_empty() {
+        let message = "no element of this model has two ends: a model has a beam, a spring or a joint, and a body alone has nothing to compute";
+        return Err(syn::Error::new(model.parameters.ident.span(), message));
+    }
     let width = skeleton.width().map_err(apart)?;
     let names = Names::of(model);
     let parameters = parameters(model);

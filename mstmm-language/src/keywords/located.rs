@@ -70,6 +70,11 @@ impl LocatedKeyword {
         self.tuples.iter().find(|(name, _)| *name == parameter).map(|(_, tuple)| *tuple)
     }
 
+    /// Whether it stands in models in space alone.
+    pub(crate) fn is_of_space(&self) -> bool {
+        self.instead(Dimension::Plane).is_some() && self.instead(Dimension::Space).is_none()
+    }
+
     /// Whether the length of the element follows from the places of its ends.
     pub(crate) fn spans_places(&self) -> bool {
         self.role == Role::Member

@@ -10,8 +10,7 @@ use syn::Expr;
 /// The first place decides. Where none has a number of coordinates that there is, which is an error, it is the plane.
 pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> Dimension {
     let places: Vec<(String, &Coordinates)> = model.nodes().filter_map(named_place).collect();
-    let (arrays, places): (Vec<_>, Vec<_>) = places.into_iter().partition(|(_, place)| is_array(place));
-    for (_, place) in &arrays {
+    for (_, place) in places.iter().filter(|(_, place)| in_brackets(place).is_some()) {
         errors.push(place.value, "a place is a tuple, in parentheses: `at (x, y)` or `at (x, y, z)`");
     }
     for (_, place) in &places {
@@ -22,12 +21,14 @@ pub(crate) fn dimension(model: &Model, errors: &mut Errors) -> Dimension {
     let Some((first, decisive)) = places.iter().find(|(_, place)| has_dimension(place)) else {
         return Dimension::Plane;
     };
-    let count = decisive.parts.len();
-    for (name, place) in places.iter().filter(|(_, place)| has_dimension(place) && place.parts.len() != count) {
+    let count = count(decisive);
+    let is_other = |place: &Coordinates| has_dimension(place) && self::count(place) != count;
+    for (name, place) in places.iter().filter(|(_, place)| is_other(place)) {
         let message = format!(
-            "the place of `{name}` has {}, that of `{first}` {}: all points of a model have equally many",
-            number(place.parts.len()),
-            counted(count)
+            "the place of `{name}` has {}, that of `{first}` {}: all points of a model have equally many{}",
+            number(self::count(place)),
+            counted(count),
+            if count > 1 && !place.is_tuple { ", and those of several are tuples where they stand" } else { "" }
         );
         errors.push(place.value, message);
     }
@@ -80,7 +81,15 @@ pub(super) fn direction(direction: &Coordinates, dimension: Dimension, errors: &
     }
 }
 
-/// Whether a place is written in brackets.
-fn is_array(place: &Coordinates) -> bool {
-    matches!(place.parts.as_slice(), [Expr::Array(_)])
+/// The number of coordinates of a place in brackets, which is none.
+fn in_brackets(place: &Coordinates) -> Option<usize> {
+    match place.parts.as_slice() {
+        [Expr::Array(array)] => Some(array.elems.len()),
+        _ => None,
+    }
+}
+
+/// The number of coordinates of a place, as it is meant.
+fn count(place: &Coordinates) -> usize {
+    in_brackets(place).unwrap_or(place.parts.len())
 }

@@ -156,9 +156,7 @@ fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match row.role {
         Role::Unknown => "has its points by offsets, which places replace",
         Role::Joint if dimension == Dimension::Space => "is a joint of the plane",
-        Role::Joint if row.instead(Dimension::Space).is_none() && row.instead(Dimension::Plane).is_some() => {
-            "is a joint of space"
-        }
+        Role::Joint if row.is_of_space() => "is a joint of space",
         _ if row.name == "tapered_beam" && dimension == Dimension::Space => "bends in one plane",
         _ if dimension != Dimension::Line => "does not stretch, so it stands where points have one coordinate",
         _ => "moves in the plane, but points have one coordinate here",

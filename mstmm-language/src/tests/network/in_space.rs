@@ -239,3 +239,25 @@ fn hinges_of_the_plane() {
         along: `hinge` has no parameter `along`: did you mean `axis`?",
     );
 }
+
+#[test]
+fn a_body_alone_is_no_model() {
+    assert_told(
+        "
+        struct M { l: f64 }
+        free at (0.0, 0.0, 0.0) -> rigid_body 1 { mass: l, inertia: (l, l, l), centre: (0.0, 0.0, l) };",
+        "
+        M: no element of this model has two ends: a model has a beam, a spring or a joint, and a body alone has nothing to compute",
+    );
+}
+
+#[test]
+fn a_joint_of_space_wants_places_with_three_coordinates() {
+    assert_told(
+        "
+        struct M { l: f64 }
+        fixed -> ball_joint 1 {} -> beam 2 { length: l, bending_stiffness: l, mass_per_length: l } -> free",
+        "
+        ball_joint: `ball_joint` stands in models whose points have places: say where they are, `conn a at (x, y, z)`",
+    );
+}

@@ -10,7 +10,7 @@ fn all_points_have_equally_many_coordinates() {
         fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
             -> conn a at l -> beam 2 { axial_stiffness: l, bending_stiffness: l, mass_per_length: l }
                          ^ the place of `conn a` has one coordinate, that of `fixed` two: all points of a
-                         | model have equally many
+                         | model have equally many, and those of several are tuples where they stand
             -> fixed at (l, l, l);
                         ^^^^^^^^^ the place of `fixed` has three coordinates, that of `fixed` two: all points
                         | of a model have equally many
