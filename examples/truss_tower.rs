@@ -54,12 +54,21 @@ pub fn mast() -> TrussTower {
     }
 }
 
+/// A built tower.
+#[derive(Debug)]
+pub struct Tower {
+    /// The tower
+    pub structure: Structure<Space>,
+    /// A corner of its top
+    pub top: Point<Space>,
+}
+
 impl TrussTower {
-    /// The tower, built, with the corners of its top.
+    /// The tower, built.
     ///
     /// # Errors
     /// A parameter out of its range.
-    pub fn build(&self) -> Result<(Structure<Space>, [Point<Space>; 4]), Box<dyn Error>> {
+    pub fn build(&self) -> Result<Tower, Box<dyn Error>> {
         let bar = |area: f64| {
             let section = Section::new().axial_stiffness(self.modulus * area).mass_per_length(self.density * area);
             Bar(section.bending_stiffness(self.modulus * self.slenderness * area * area))
@@ -97,7 +106,7 @@ impl TrussTower {
         for corner in level {
             frame.body([corner], PointMass { mass: self.antenna, inertia: Tensor::default() });
         }
-        Ok((frame.build()?, level))
+        Ok(Tower { structure: frame.build()?, top: level[0] })
     }
 
     /// Number of its bars and ropes.
@@ -109,7 +118,7 @@ impl TrussTower {
 fn main() -> Result<(), Box<dyn Error>> {
     let bays = argument("--bays").map_or(Ok(mast().bays), |bays| bays.parse())?;
     let model = TrussTower { bays, ..mast() };
-    let (tower, top) = model.build()?;
+    let Tower { structure: tower, top } = model.build()?;
     let start = Instant::now();
     let roots = tower.frequencies(10)?;
     println!("{} members, ten frequencies, each proven, in {:.2?}", model.members(), start.elapsed());
@@ -122,7 +131,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for point in tower.sketch().points() {
             largest = largest.max(size(&shape.motion_of(point.label)?));
         }
-        let at_top = size(&shape.motion_of(top[0])?) / largest;
+        let at_top = size(&shape.motion_of(top)?) / largest;
         let (hertz, omega) = (root.hertz(), root.omega);
         println!(
             "{:4} {:5} {hertz:8.4} {omega:17.10} {:20.13} ..{:20.13} {at_top:8.3}",

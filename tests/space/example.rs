@@ -3,7 +3,7 @@
 #[expect(dead_code, unreachable_pub, reason = "an example of its own")]
 #[path = "../../examples/crank.rs"]
 mod crank;
-#[expect(dead_code, unreachable_pub, clippy::missing_docs_in_private_items, reason = "an example of its own")]
+#[expect(dead_code, unreachable_pub, reason = "an example of its own")]
 #[path = "../../examples/space_portal.rs"]
 mod space_portal;
 
