@@ -1,4 +1,5 @@
-//! What a frame in space costs: a ring of four beams on four columns, clamped, 24 motions, and buildings of it. Prints a Markdown table.
+//! What a frame in space costs: a ring of four beams on four columns, clamped, 24 motions, and buildings of it; the ring as a sketch, undamped, and with
+//! braces and losses. Prints Markdown tables.
 //!
 //! `cargo bench --bench space`. Times are the least of some rounds; quote the ratios.
 
@@ -10,6 +11,39 @@ use std::hint::black_box;
 use std::time::Instant;
 
 type Failure = Box<dyn core::error::Error>;
+
+system! {
+    /// The ring on columns.
+    struct Ring { e: f64, g: f64, rho: f64, area: f64, i: f64 }
+    section steel {
+        axial_stiffness: e * area, bending_stiffness: e * i, torsional_stiffness: 2.0 * g * i, mass_per_length: rho * area,
+        polar_inertia_per_length: 2.0 * rho * i,
+    }
+    fixed at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (0.0, 0.0, 5.0) -> beam 2 { ..steel } -> conn b at (6.0, 0.0, 5.0)
+        -> beam 3 { ..steel } -> conn c at (6.0, 4.0, 5.0) -> beam 4 { ..steel } -> conn d at (0.0, 4.0, 5.0) -> beam 5 { ..steel } -> conn a;
+    fixed at (6.0, 0.0, 0.0) -> beam 6 { ..steel } -> conn b;
+    fixed at (6.0, 4.0, 0.0) -> beam 7 { ..steel } -> conn c;
+    fixed at (0.0, 4.0, 0.0) -> beam 8 { ..steel } -> conn d;
+}
+
+system! {
+    /// The same with losses, and with slender bars from foot to head.
+    struct Braced { e: f64, g: f64, rho: f64, area: f64, i: f64, loss_factor: f64 }
+    section steel {
+        axial_stiffness: e * area, bending_stiffness: e * i, torsional_stiffness: 2.0 * g * i, mass_per_length: rho * area,
+        polar_inertia_per_length: 2.0 * rho * i, loss_factor,
+    }
+    section tie { axial_stiffness: 0.02 * e * area, bending_stiffness: 1e-4 * e * i, mass_per_length: 0.02 * rho * area, loss_factor }
+    fixed -> conn p at (0.0, 0.0, 0.0) -> beam 1 { ..steel } -> conn a at (0.0, 0.0, 5.0) -> beam 2 { ..steel } -> conn b at (6.0, 0.0, 5.0)
+        -> beam 3 { ..steel } -> conn c at (6.0, 4.0, 5.0) -> beam 4 { ..steel } -> conn d at (0.0, 4.0, 5.0) -> beam 5 { ..steel } -> conn a;
+    fixed -> conn q at (6.0, 0.0, 0.0) -> beam 6 { ..steel } -> conn b;
+    fixed -> conn r at (6.0, 4.0, 0.0) -> beam 7 { ..steel } -> conn c;
+    fixed -> conn s at (0.0, 4.0, 0.0) -> beam 8 { ..steel } -> conn d;
+    conn p -> bar 9 { ..tie } -> conn b;
+    conn q -> bar 10 { ..tie } -> conn c;
+    conn r -> bar 11 { ..tie } -> conn d;
+    conn s -> bar 12 { ..tie } -> conn a;
+}
 
 /// Rounds of each measurement.
 const ROUNDS: usize = 11;
@@ -104,5 +138,25 @@ fn main() -> Result<(), Failure> {
     print_row("ring on columns", [1, 1, 1], 20)?;
     print_row("two storeys", [1, 1, 2], 10)?;
     print_row("2 x 1 bays, 3 storeys", [2, 1, 3], 2)?;
-    print_row("3 x 2 bays, 10 storeys", [3, 2, 10], 1)
+    print_row("3 x 2 bays, 10 storeys", [3, 2, 10], 1)?;
+    print_sketches()
+}
+
+/// Sketches: one evaluation of Δ, ten proven frequencies, a response and its part of an evaluation.
+fn print_sketches() -> Result<(), Failure> {
+    let [e, g, rho, area, i] = STEEL;
+    let (ring, braced) =
+        (Ring { e, g, rho, area, i }.build()?, Braced { e, g, rho, area, i, loss_factor: 0.01 }.build()?);
+    println!("\n| sketch [µs] | Δ | ten proven frequencies | response | response over Δ |\n|---|---|---|---|---|");
+    let delta = microseconds(100, || ring.characteristic(black_box(200.0)));
+    let response = ring.frequency_response(Ring::conn_a.force_x(), Ring::conn_c.displacement_x())?;
+    let response = microseconds(100, || response.at(black_box(200.0)).is_ok());
+    let ten = microseconds(10, || ring.first_frequencies::<10>().is_ok());
+    println!("| ring on columns | {delta:.1} | {ten:.0} | {response:.0} | {:.1} |", response / delta);
+    let at = Complex::new(0.0, 200.0);
+    let delta = microseconds(100, || braced.characteristic(black_box(at)));
+    let response = braced.frequency_response(Braced::conn_a.force_x(), Braced::conn_c.displacement_x())?;
+    let response = microseconds(100, || response.at(black_box(at)).is_ok());
+    println!("| braced, with losses | {delta:.1} | | {response:.0} | {:.1} |", response / delta);
+    Ok(())
 }
