@@ -72,7 +72,7 @@ impl fmt::Display for Requirement {
             Requirement::Above { bound, formula } => write!(f, "finite and greater than {formula} = {bound}"),
             Requirement::Between { least, most } => write!(f, "from {} to {}", Readable(*least), Readable(*most)),
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
-            Requirement::Direction => write!(f, "a direction, whose larger part is between 1e-70 and 1e70"),
+            Requirement::Direction => write!(f, "a direction, whose largest part is between 1e-70 and 1e70"),
             Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),
             Requirement::Orientation => {
                 write!(f, "at an angle to that: name another `up`, a vector that becomes the z axis")

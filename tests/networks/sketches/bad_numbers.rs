@@ -30,7 +30,7 @@ fn errors_name_the_element_or_the_point_and_the_number() {
     assert_refused(Frame { gap: f64::INFINITY, ..RIGHT }, "conn g: y is inf, but must be a finite number");
     assert_refused(
         Frame { dx: 0.0, ..RIGHT },
-        "roller at beam 3: along is 0, but must be a direction, whose larger part is between 1e-70 and 1e70",
+        "roller at beam 3: along is 0, but must be a direction, whose largest part is between 1e-70 and 1e70",
     );
     assert_refused(Frame { mass: -2.0, ..RIGHT }, "rigid_body 4: mass is -2, but must be zero or positive, and finite");
     assert_refused(Frame { centre: nan, ..RIGHT }, "rigid_body 4: centre is NaN, but must be a finite number");
