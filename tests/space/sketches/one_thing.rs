@@ -193,3 +193,20 @@ jointed! {
     LooseRx, a_skew_hinge_that_lets_go, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rx: 0.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rx(0.0);
     SkewRz, a_skew_hinge_about_z, { hinge 2 { axis: (1.0, 1.0, 2.0), stiffness_rz: 1.0 } }, [1.0, 1.0, 2.0], Hinge::new().stiffness_rz(1.0);
 }
+
+arch! { EachPlane(l): fixed at (0.0, 0.0, 0.0) -> beam 1 {
+    ..steel, shear_stiffness_y: 20.0, shear_stiffness_z: 45.0, rotary_inertia_y: 0.125, rotary_inertia_z: 0.5,
+    foundation_stiffness_y: 3.0, foundation_stiffness_z: 0.75, foundation_shear_stiffness_y: 0.25, foundation_shear_stiffness_z: 1.5,
+    axial_force: 0.5, up: (0.0, 1.0, 2.0),
+} -> conn a at (l, 0.5, 0.25); }
+
+/// What is named for one plane is that of this plane.
+#[test]
+fn a_general_beam_with_other_numbers_in_each_plane() {
+    let (mut frame, points) = arch(&[[0.0; 3], [2.0, 0.5, 0.25]], &[]);
+    let section = STEEL.shear_stiffness_y(20.0).shear_stiffness_z(45.0).rotary_inertia_y(0.125).rotary_inertia_z(0.5);
+    let section = section.foundation_stiffness_y(3.0).foundation_stiffness_z(0.75).foundation_shear_stiffness_y(0.25);
+    let section = section.foundation_shear_stiffness_z(1.5).axial_force(0.5).up([0.0, 1.0, 2.0]);
+    frame.member(points[0], points[1], section);
+    assert_same(&EachPlane { l: 2.0 }.build().unwrap(), &frame);
+}
