@@ -10,5 +10,6 @@ mod motions;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]
 mod numbers;
+mod overall;
 mod random;
 mod sketches;

@@ -12,6 +12,7 @@ mod in_space;
 mod joints;
 mod masses;
 mod member;
+mod overall;
 mod parts;
 mod paths;
 mod point;

@@ -195,6 +195,16 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
         self.parts(member)
     }
 
+    fn parts_from(&self, first: usize) -> Range<usize> {
+        let behind = self.first_parts.partition_point(|part| *part <= first);
+        match (self.first_parts.get(behind), behind.checked_sub(1).and_then(|own| self.first_parts.get(own))) {
+            (Some(next), Some(own)) if *own == first => first..*next,
+            (Some(_), _) => first..first,
+            // parts of supports and of masses in a direction
+            (None, _) => first..first + 1,
+        }
+    }
+
     fn spot(&self, node: usize) -> Spot {
         let point = self.points.iter().position(|point| point.node == node);
         point.map_or(Spot::Node(node), Spot::Point)

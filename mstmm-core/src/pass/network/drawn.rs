@@ -4,13 +4,12 @@ use crate::element::MemberElement;
 use crate::model::{MemberEnd, MemberLabel, MemberPlane, PlanePoint, Skew, Spot, plain};
 use crate::number::{Parameter, Real};
 use crate::pass::network::memory::Memory;
-use crate::pass::network::placed::Placed;
+use crate::pass::network::placed::{Placed, together};
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
 use crate::pass::network::structure::{InNetwork, Network};
-use core::ops::Range;
-use mstmm_plan::{Freedoms, freedoms_of_part};
+use mstmm_plan::Freedoms;
 
 /// A network of which a [`Sketch`](crate::Sketch) tells what is where.
 pub trait Drawn: Placed {
@@ -184,16 +183,6 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
             skew: support.skew.map(|skew| self.skew(skew, &numbers)),
         })
     }
-}
-
-/// The freedoms of the parts of a member in its own axes, given those of each part.
-pub(crate) fn together<Y: Placed>(
-    system: &Y,
-    parts: Range<usize>,
-    of_part: impl Fn(&Placement<Y::Parameter>) -> Freedoms,
-) -> Freedoms {
-    let own = parts.map(|part| system.placement(part)).map(|part| freedoms_of_part(part.part(), of_part(part)));
-    own.fold(Freedoms::NONE, Freedoms::union)
 }
 
 impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {

@@ -34,8 +34,6 @@ pub(crate) mod vector;
 mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
-#[cfg(feature = "std")]
-pub(crate) use drawn::together;
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::network_pass;
@@ -54,6 +52,8 @@ pub use overall_network::OverallNetwork;
 pub use own::OwnMembers;
 #[cfg(feature = "std")]
 pub(crate) use part::Part;
+#[cfg(feature = "std")]
+pub(crate) use placed::together;
 pub use placed::{PerMember, PerNode, Placed, PlacedCharts, PlacedMotions};
 pub use placed_node::PlacedNode;
 pub use placement::Placement;

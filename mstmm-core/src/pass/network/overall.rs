@@ -5,25 +5,18 @@ use crate::model::Skew;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::frame::Frame;
 use crate::pass::network::path_state::{PathState, numbers};
-use crate::pass::network::placed::{PerMember, PerNode, Placed};
-use crate::pass::network::placement::Placement;
+use crate::pass::network::placed::{PerMember, PerNode, Placed, together};
 use crate::pass::network::vector::{DISPLACEMENTS, Six, unit, with_axes_across};
 use crate::pass::overall::determinant::determinant;
 use crate::structure::MOST_MOTIONS;
 use core::mem::replace;
-use core::ops::Range;
-use mstmm_plan::{Freedoms, PathNode, freedoms_of_part};
+use mstmm_plan::{Freedoms, PathNode};
 use nalgebra::SMatrix;
 
 /// A network whose members have transfer matrices at a frequency.
 pub trait PlacedTransfers<S: Frequency<Self::Parameter>>: Placed {
     /// The transfer matrix of a member, or of a part of one.
     fn transfer(&self, member: usize, x: S) -> Option<MemberTransfer<S>>;
-
-    /// The parts of the member that begins with one of an index; none where that is a further part.
-    fn parts(&self, first: usize) -> Range<usize> {
-        first..first + 1
-    }
 }
 
 /// The overall matrix of a network, given its paths; `N` is the number of their unknowns.
@@ -38,7 +31,7 @@ where
 {
     let mut links = network.per_member(Link::none());
     for member in 0..network.sizes()[1] {
-        let parts = network.parts(member);
+        let parts = network.parts_from(member);
         if let Some(link) = links.as_mut().get_mut(member).filter(|_| !parts.is_empty()) {
             *link = Link::new(network, paths, member);
         }
@@ -126,15 +119,11 @@ impl<S: Single> Link<S> {
         let placement = network.placement(member);
         let nodes = [0, 1].map(|end| placement.node_of(end));
         let [leaves, is_reversed] = [0, 1].map(|end| paths[nodes[end]].leaves_by(2 * member + end));
-        let parts = network.parts(member);
-        let together = |of_part: &dyn Fn(&Placement<Y::Parameter>) -> Freedoms| {
-            let own = parts.clone().map(|part| network.placement(part));
-            own.fold(Freedoms::NONE, |sum, part| sum.union(freedoms_of_part(part.part(), of_part(part))))
-        };
+        let parts = network.parts_from(member);
         Link {
             nodes,
-            freedoms: together(&|part| part.freedoms),
-            released: [0, 1].map(|end| together(&|part| part.released(end).intersection(part.freedoms))),
+            freedoms: together(network, parts.clone(), |part| part.freedoms),
+            released: [0, 1].map(|end| together(network, parts.clone(), |part| part.released_freedoms(end))),
             frames: [0, 1].map(|end| Frame::of(placement, end)),
             is_reversed,
             is_cut: !leaves && !is_reversed,

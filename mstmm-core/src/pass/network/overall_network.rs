@@ -1,11 +1,12 @@
 //! The overall transfer equation of a network that is a list.
 
 use crate::element::MemberElement;
+use crate::model::MemberPlane;
 use crate::number::{Frequency, Scaled, Single};
 use crate::pass::network::error::NetworkError;
 use crate::pass::network::memory::Memory;
 use crate::pass::network::overall::{PlacedTransfers, overall_determinant, overall_matrix};
-use crate::pass::network::placed::{PerNode, Placed};
+use crate::pass::network::placed::{PerNode, Placed, together};
 use crate::pass::network::structure::Network;
 use crate::pass::overall::evaluate::Evaluate;
 use mstmm_plan::{Freedoms, PathMember, PathNode, lead_paths, unknowns};
@@ -48,28 +49,32 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
 }
 
 impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
-    fn new(network: &'n Y) -> Result<Self, NetworkError> {
+    pub(crate) fn new(network: &'n Y) -> Result<Self, NetworkError> {
         let [node_count, member_count] = network.sizes();
+        let is_in_space = (0..member_count).any(|member| network.placement(member).plane() != MemberPlane::Structure);
+        let all = if is_in_space { Freedoms::SPACE } else { Freedoms::PLANE };
         let mut members = network.per_member(PathMember::NONE);
         let members = &mut members.as_mut()[..member_count];
         for (index, member) in members.iter_mut().enumerate() {
-            let placement = network.placement(index);
-            let freedoms = placement.freedoms;
-            let released = [0, 1].map(|end| placement.released(end).intersection(freedoms).count());
-            *member = PathMember {
-                nodes: [0, 1].map(|end| placement.node_of(end)),
-                freedoms,
-                released: released.iter().sum(),
-            };
+            let (placement, parts) = (network.placement(index), network.parts_from(index));
+            let released = |part: usize| [0, 1].map(|end| network.placement(part).released_freedoms(end).count());
+            if !parts.is_empty() {
+                *member = PathMember {
+                    nodes: [0, 1].map(|end| placement.node_of(end)),
+                    freedoms: together(network, parts.clone(), |part| part.freedoms),
+                    released: parts.flat_map(released).sum(),
+                };
+            }
         }
         let mut paths = network.per_node(PathNode::NONE);
         let nodes = &mut paths.as_mut()[..node_count];
         for (index, path) in nodes.iter_mut().enumerate() {
             let here = members.iter().filter(|member| member.nodes.contains(&index));
-            let brought = here.fold(Freedoms::NONE, |sum, member| sum.union(in_plane(member.freedoms)));
+            // axes of members are not those of nodes
+            let brought = here.fold(Freedoms::NONE, |sum, member| sum.union(member.freedoms.in_any_axes()));
             let node = network.node(index).0;
-            let freedoms = Freedoms::PLANE.without(node.held).union(brought);
-            *path = PathNode::new(freedoms, node.held.intersection(Freedoms::PLANE), node.skew.is_some());
+            let freedoms = all.without(node.held).union(brought.intersection(all));
+            *path = PathNode::new(freedoms, node.held.intersection(all), node.skew.is_some());
         }
         lead_paths(nodes, members);
         match unknowns(nodes, members) {
@@ -81,12 +86,6 @@ impl<'n, Y: Placed, const N: usize> OverallNetwork<'n, Y, N> {
     fn paths(&self) -> &[PathNode] {
         &self.paths.as_ref()[..self.network.sizes()[0]]
     }
-}
-
-/// The freedoms in the axes of the plane that a member with some in axes of its own brings to a node.
-fn in_plane(freedoms: Freedoms) -> Freedoms {
-    let plane = Freedoms::X.union(Freedoms::Y);
-    if freedoms.intersection(plane).is_empty() { freedoms } else { freedoms.union(plane) }
 }
 
 impl<Y, S, const N: usize> Evaluate<S> for OverallNetwork<'_, Y, N>

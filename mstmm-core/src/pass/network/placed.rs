@@ -11,7 +11,7 @@ use crate::pass::network::placement::Placement;
 use crate::structure::Chart;
 use core::fmt::Debug;
 use core::ops::Range;
-use mstmm_plan::NetworkOrder;
+use mstmm_plan::{Freedoms, NetworkOrder, freedoms_of_part};
 
 /// A network as its evaluation reads it.
 pub trait Placed: System {
@@ -51,7 +51,12 @@ pub trait Placed: System {
     /// # Errors
     /// As [`member_of`](Placed::member_of).
     fn parts_of(&self, member: Handle) -> Result<Range<usize>, MotionError> {
-        self.member_of(member).map(|member| member..member + 1)
+        self.member_of(member).map(|first| self.parts_from(first))
+    }
+
+    /// The parts of the member that begins with one of an index; none where that is a further part.
+    fn parts_from(&self, first: usize) -> Range<usize> {
+        first..first + 1
     }
 
     /// The part of a member in a plane, 0 that of x and y or its only one, 1 that of x and z, 2 its rotation about x; none where it has none.
@@ -161,4 +166,14 @@ impl<S: Scalar> ChartsOfEqual<S> {
         self.next = (self.next + 1) % KEPT;
         Some(chart)
     }
+}
+
+/// The freedoms of the parts of a member in its own axes, given those of each part.
+pub(crate) fn together<Y: Placed>(
+    system: &Y,
+    parts: Range<usize>,
+    of_part: impl Fn(&Placement<Y::Parameter>) -> Freedoms,
+) -> Freedoms {
+    let own = parts.map(|part| system.placement(part)).map(|part| freedoms_of_part(part.part(), of_part(part)));
+    own.fold(Freedoms::NONE, Freedoms::union)
 }

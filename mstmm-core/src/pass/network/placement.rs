@@ -203,6 +203,11 @@ impl<T: Real> Placement<T> {
         }
     }
 
+    /// The freedoms of an end that it has and does not share with its node.
+    pub(crate) fn released_freedoms(&self, end: usize) -> Freedoms {
+        self.released(end).intersection(self.freedoms)
+    }
+
     /// The node of an end.
     pub(crate) fn node_of(&self, end: usize) -> usize {
         self.ends[end].index

@@ -2,7 +2,6 @@
 
 use super::super::{Names, implement};
 use super::{answers_of_members, bounds};
-use crate::keywords::Dimension;
 use crate::skeleton::Skeleton;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote_spanned;
@@ -59,13 +58,6 @@ fn transfers(skeleton: &Skeleton<'_>, bounds: Vec<TokenStream>, names: &Names) -
         let transfer = names.function_at("member_transfer", span);
         quote_spanned!(names.here=> #transfer::<#kind, #frequency>(built, x))
     });
-    let parts = (skeleton.dimension == Dimension::Space).then(|| {
-        quote_spanned! {names.here=>
-            fn parts(&self, first: ::core::primitive::usize) -> ::core::ops::Range<::core::primitive::usize> {
-                SKETCH.parts(first)
-            }
-        }
-    });
     let body = quote_spanned! {names.here=>
         fn transfer(
             &self,
@@ -74,8 +66,6 @@ fn transfers(skeleton: &Skeleton<'_>, bounds: Vec<TokenStream>, names: &Names) -
         ) -> ::core::option::Option<#private::MemberTransfer<#frequency>> {
             #transfers
         }
-
-        #parts
     };
     implement("PlacedTransfers", "Real", bounds, &body, names)
 }

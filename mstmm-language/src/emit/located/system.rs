@@ -201,11 +201,8 @@ pub(super) fn placed(model: &Model, skeleton: &Skeleton<'_>, width: &TokenStream
     let is_in_space = skeleton.dimension == Dimension::Space;
     let parts = is_in_space.then(|| {
         quote_spanned! {names.here=>
-            fn parts_of(
-                &self,
-                member: #private::Handle,
-            ) -> ::core::result::Result<::core::ops::Range<::core::primitive::usize>, #private::MotionError> {
-                #private::Placed::member_of(self, member).map(|first| SKETCH.parts(first))
+            fn parts_from(&self, first: ::core::primitive::usize) -> ::core::ops::Range<::core::primitive::usize> {
+                SKETCH.parts(first)
             }
         }
     });
