@@ -303,3 +303,30 @@ fn the_response_at_rest_is_the_limit_from_above() {
     let along = system.frequency_response(Unheld::conn_a.force_x(), Unheld::conn_a.displacement_x()).unwrap();
     assert!(matches!(along.at(C::ZERO), Err(MotionError::Resonance { .. })));
 }
+
+system! {
+    /// A beam that swings about a pin in a medium: it rests anywhere, and comes to rest with the rate c/m.
+    struct Swinging { c: f64 }
+    pinned at (0.0, 0.0)
+        -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5, external_damping: c } -> conn b at (1.0, 0.0);
+}
+
+system! {
+    /// A free beam of a lossy material, with three motions at rest, each twice.
+    struct Free { time: f64 }
+    conn a at (0.0, 0.0)
+        -> beam 1 { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 1.5, kelvin_voigt_time: time } -> conn b at (1.0, 0.0);
+}
+
+/// Oracle: `λ (m λ + c) = 0` for the motion without strain.
+#[test]
+fn motions_at_rest_of_damped_frames_are_found() {
+    let found = Swinging { c: 0.1 }.build().unwrap().first_eigenvalues::<4>().unwrap();
+    assert_eq!((found[0].lambda, found[0].multiplicity), (C::new(0.0, 0.0), 1));
+    assert!((found[1].lambda + 0.1 / 1.5).norm() < 1e-15, "{}", found[1].lambda);
+    assert!((found[2].lambda.re + 0.05 / 1.5).abs() < 1e-13 && found[2].lambda.im > 1.0);
+    let free = Free { time: 1e-4 }.build().unwrap();
+    for size in [1e-4, 1e-2, 1.0, 10.0] {
+        assert_eq!(free.count_in(Region { re: -size..=size, im: -size..=size }), Ok(6), "{size}");
+    }
+}

@@ -224,13 +224,13 @@ where
             return Ok(Some(root));
         }
         let mut root = self.circle(estimate.lambda)?;
-        if let Some(Eigenvalue { lambda, multiplicity: multiplicity @ 2.., .. }) = root {
+        if let Some(Eigenvalue { lambda, multiplicity: multiplicity @ 2.., error, .. }) = root {
             // Newton's step for a root of that multiplicity is good where the plain one is slow
             let point = self.evaluation.at(lambda)?;
             let step = Complex::from(T::from_f64(multiplicity as f64)) / point.rate;
-            // on the plateau around a multiple root Δ' may vanish, and the step with it lead nowhere
+            // on the plateau around a multiple root Δ' may vanish, and the step with it lead out of the circle that holds the roots
             if !point.is_root
-                && step.size().is_finite()
+                && modulus(step) <= error
                 && let Some(better) = self.circle(lambda - step)?
                 && better.multiplicity == multiplicity
             {
