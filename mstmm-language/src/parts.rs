@@ -2,6 +2,7 @@
 
 use crate::ast::{Element, Kind, Model, Parameter};
 use crate::keywords::{Dimension, PAIRS, Role, in_space};
+use mstmm_plan::HINGE_PARTS;
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::ext::IdentExt;
@@ -26,7 +27,11 @@ fn part_of(element: &Element, part: usize) -> Option<Element> {
             return Some(parameter.clone());
         }
         let value = Some(parameter.expression());
-        let called = PAIRS.iter().flat_map(|pair| pair.planes).chain(OF_HINGES).find(|known| *known == name);
+        let called = PAIRS
+            .iter()
+            .flat_map(|pair| pair.planes)
+            .chain(HINGE_PARTS.map(|(of_hinge, ..)| of_hinge))
+            .find(|known| *known == name);
         Some(Parameter { name: Ident::new(own, parameter.name.span()), value, called, ..parameter.clone() })
     });
     Some(Element {
@@ -40,9 +45,6 @@ fn part_of(element: &Element, part: usize) -> Option<Element> {
         parts: [None, None, None],
     })
 }
-
-/// The parameters of a hinge that have another name in a part.
-const OF_HINGES: [&str; 6] = ["stiffness_z", "stiffness_ry", "stiffness_rx", "damping_z", "damping_ry", "damping_rx"];
 
 /// The parameters of a hinge that are alike where both of its planes are.
 const ALIKE: [[&str; 2]; 4] = [

@@ -28,7 +28,7 @@ pub use layout::Layout;
 pub use network_order::{NetworkOrder, OrderMemory, OrderRoom};
 pub use network_paths::{PathMember, PathNode, is_cut, lead_paths, unknowns};
 pub use order::inputs_first;
-pub use parts::{MOST_PARTS, freedoms_in_part, freedoms_of_part};
+pub use parts::{HINGE_PARTS, MOST_PARTS, freedoms_in_part, freedoms_of_part};
 pub use rules::refuse_if;
 pub use scheme::{Place, Scheme};
 pub use space::{Space, WIDEST};

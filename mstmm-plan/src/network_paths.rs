@@ -99,7 +99,7 @@ impl PathNode {
 pub const fn lead_paths(nodes: &mut [PathNode], members: &[PathMember]) {
     let mut node = root(nodes);
     let mut rank = 0;
-    // members before the first one lead nowhere any more
+    // a path leads from both nodes of each member before the first one
     let (mut first, widest) = (0, widest(members));
     loop {
         nodes[node].rank = rank;

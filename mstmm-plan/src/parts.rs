@@ -12,6 +12,22 @@ const OF_PARTS: [[Freedoms; 3]; MOST_PARTS] = [
     [Freedoms::NONE, Freedoms::NONE, Freedoms::RX],
 ];
 
+/// The stiffnesses and dampings of a hinge in space: the name, the part that has it, and its name in that part.
+pub const HINGE_PARTS: [(&str, usize, &str); 12] = [
+    ("stiffness_x", 0, "stiffness_x"),
+    ("stiffness_y", 0, "stiffness_y"),
+    ("stiffness_rz", 0, "stiffness_rz"),
+    ("stiffness_z", 1, "stiffness_y"),
+    ("stiffness_ry", 1, "stiffness_rz"),
+    ("stiffness_rx", 2, "stiffness_rz"),
+    ("damping_x", 0, "damping_x"),
+    ("damping_y", 0, "damping_y"),
+    ("damping_rz", 0, "damping_rz"),
+    ("damping_z", 1, "damping_y"),
+    ("damping_ry", 1, "damping_rz"),
+    ("damping_rx", 2, "damping_rz"),
+];
+
 /// What freedoms of a part are in its member.
 ///
 /// ```

@@ -123,7 +123,7 @@ impl<B: Stretching + MemberGradient<S>, S: Scalar> MemberGradient<S> for Sideway
 }
 
 impl<S: Copy, G: ByName<S>> ByName<S> for Sideways<G> {
-    /// That of the length is part of those of its places.
+    /// The slope by the length is in the slopes by the places of its ends.
     fn by_name(&self, name: &str) -> Option<S> {
         if name == "length" { None } else { self.across.by_name(name) }
     }

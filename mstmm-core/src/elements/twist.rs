@@ -118,7 +118,7 @@ macro_rules! twist {
         }
 
         impl<S: Copy> ByName<S> for $twist<S> {
-            /// That of the length is part of those of its places.
+            /// The slope by the length is in the slopes by the places of its ends.
             fn by_name(&self, name: &str) -> Option<S> {
                 match name {
                     "torsional_stiffness" => Some(self.torsional_stiffness),

@@ -12,23 +12,7 @@ use crate::frame::member::{
 };
 use crate::frame::parts::Parts;
 use crate::frame::section::{Parameter, Section, name_of};
-use mstmm_plan::Freedoms;
-
-/// What parameters of a hinge in space are in its parts.
-const OF_HINGES: [(&str, usize, &str); 12] = [
-    ("stiffness_x", 0, "stiffness_x"),
-    ("stiffness_y", 0, "stiffness_y"),
-    ("stiffness_rz", 0, "stiffness_rz"),
-    ("stiffness_z", 1, "stiffness_y"),
-    ("stiffness_ry", 1, "stiffness_rz"),
-    ("stiffness_rx", 2, "stiffness_rz"),
-    ("damping_x", 0, "damping_x"),
-    ("damping_y", 0, "damping_y"),
-    ("damping_rz", 0, "damping_rz"),
-    ("damping_z", 1, "damping_y"),
-    ("damping_ry", 1, "damping_rz"),
-    ("damping_rx", 2, "damping_rz"),
-];
+use mstmm_plan::{Freedoms, HINGE_PARTS};
 
 /// A parameter of both planes of a beam, with those of the plane of x and y and of the plane of x and z: of what is about an axis z and y.
 struct Pair {
@@ -70,7 +54,7 @@ fn in_plane(section: &Section, plane: usize) -> Result<Section, Mistake> {
 /// What a parameter of a part of a beam was called in a section, or that of a part of a hinge.
 pub(crate) fn called_in(named: u32, part: usize, parameter: &'static str) -> &'static str {
     if named == 0 {
-        let of_hinge = OF_HINGES.into_iter().find(|(_, of, own)| *of == part && *own == parameter);
+        let of_hinge = HINGE_PARTS.into_iter().find(|(_, of, own)| *of == part && *own == parameter);
         return of_hinge.map_or(parameter, |(name, ..)| name);
     }
     let pair = PAIRS.into_iter().find(|pair| name_of(pair.both) == parameter);
@@ -80,7 +64,7 @@ pub(crate) fn called_in(named: u32, part: usize, parameter: &'static str) -> &'s
 
 /// What a parameter of a member is called in a part of it; none where it is that of another part.
 pub(crate) fn name_in(name: &str, part: usize) -> Option<&str> {
-    if let Some((_, of, own)) = OF_HINGES.into_iter().find(|(of_hinge, ..)| *of_hinge == name) {
+    if let Some((_, of, own)) = HINGE_PARTS.into_iter().find(|(of_hinge, ..)| *of_hinge == name) {
         return (of == part).then_some(own);
     }
     let mut of_planes = PAIRS.iter().flat_map(|pair| [(0, pair), (1, pair)]);

@@ -7,7 +7,7 @@ use super::dimension::Dimension;
 use super::elements::{
     AXIAL_STIFFNESS, BAR, Keyword, OF_BEAM, OF_PLANAR_HINGE, OF_STRING, STRING, STRINGS, element_of, keyword, row,
 };
-use mstmm_plan::Space;
+use mstmm_plan::{HINGE_PARTS, Space};
 
 /// A parameter of both planes of a member, with those of the plane of x and y and of the plane of x and z.
 #[derive(Debug)]
@@ -27,22 +27,6 @@ pub(crate) const PAIRS: &[Pair] = &[
         both: "foundation_shear_stiffness",
         planes: ["foundation_shear_stiffness_y", "foundation_shear_stiffness_z"],
     },
-];
-
-/// The parameters of a hinge in its parts: the name, the part, and the name there.
-const OF_HINGE: &[(&str, usize, &str)] = &[
-    ("stiffness_x", 0, "stiffness_x"),
-    ("stiffness_y", 0, "stiffness_y"),
-    ("stiffness_rz", 0, "stiffness_rz"),
-    ("stiffness_z", 1, "stiffness_y"),
-    ("stiffness_ry", 1, "stiffness_rz"),
-    ("stiffness_rx", 2, "stiffness_rz"),
-    ("damping_x", 0, "damping_x"),
-    ("damping_y", 0, "damping_y"),
-    ("damping_rz", 0, "damping_rz"),
-    ("damping_z", 1, "damping_y"),
-    ("damping_ry", 1, "damping_rz"),
-    ("damping_rx", 2, "damping_rz"),
 ];
 
 /// What the language knows of an element in space.
@@ -111,7 +95,7 @@ impl KeywordInSpace {
             optional.extend(PAIRS.iter().filter(is_known).flat_map(|pair| pair.planes));
         }
         if self.name == HINGE {
-            optional.extend(OF_HINGE.iter().map(|(name, ..)| *name).filter(|name| !OF_PLANAR_HINGE.contains(name)));
+            optional.extend(HINGE_PARTS.iter().map(|(name, ..)| *name).filter(|name| !OF_PLANAR_HINGE.contains(name)));
             optional.push("axis");
         }
         optional.push("up");
@@ -133,7 +117,7 @@ impl KeywordInSpace {
     pub(crate) fn name_in(&self, part: usize, name: &str) -> Option<&'static str> {
         let row = self.part(part)?;
         if self.name == HINGE
-            && let Some((_, of, own)) = OF_HINGE.iter().find(|(of_hinge, ..)| *of_hinge == name)
+            && let Some((_, of, own)) = HINGE_PARTS.iter().find(|(of_hinge, ..)| *of_hinge == name)
         {
             return (*of == part).then_some(own);
         }
