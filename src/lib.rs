@@ -143,7 +143,8 @@ pub mod search {
     pub use mstmm_core::search::critical_loads;
     pub use mstmm_core::search::*;
     pub use mstmm_core::{
-        Characteristic, Evaluate, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, SearchError, Spot, System,
+        Characteristic, Evaluate, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Rotor, SearchError,
+        SpeedError, Spinning, Spot, System, Whirl,
     };
 }
 
@@ -207,7 +208,7 @@ pub mod prelude {
     pub use crate::motion::{FrameAnalysis, ModalAnalysis};
     pub use crate::search::{
         Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
-        Region, Spectrum, Sweep, Undamped, fmin1d, fmin2d,
+        Region, Spectrum, Sweep, Undamped, Whirl, fmin1d, fmin2d,
     };
     pub use crate::{Complex, system};
 }

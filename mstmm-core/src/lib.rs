@@ -60,6 +60,7 @@ pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::member_numbers::{MemberNumbers, OwnPart};
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};
 pub use element::moving::{CoefficientsOf, Moving};
+pub use element::spins::Spins;
 pub use element::traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of, without_pole};
 pub use element::visit::{Visit, VisitStep};
 pub use elements::any_member::{AnyMember, BuiltAnyMember, BuiltUndampedMember, Section, UndampedMember};
@@ -82,6 +83,7 @@ pub use model::motion_error::MotionError;
 pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};
 pub use model::space_point::{InSpace, SpacePoint};
+pub use model::speed_error::SpeedError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,
@@ -129,6 +131,7 @@ pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
 pub use proof::visit::{Visitor, visit_steps};
+pub use search::rotor::{Rotor, RotorModel, Spinning, Whirl};
 pub use structure::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
 pub use structure::factor::Factor;
 pub use structure::member::{MemberLoad, MemberStiffness};

@@ -8,6 +8,7 @@ mod new_words;
 mod parameters;
 mod planar;
 mod selves;
+mod spin;
 mod states;
 mod tree;
 mod words;

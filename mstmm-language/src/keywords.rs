@@ -9,8 +9,8 @@ mod other_names;
 
 pub(crate) use dimension::Dimension;
 pub(crate) use elements::{
-    AXIAL_STIFFNESS, BAR, DAMPING, ELEMENTS, Keyword, STRING, TypeRow, element_of, elements_of_paths, has_somewhere,
-    neutral,
+    AXIAL_STIFFNESS, BAR, CROSS, DAMPING, DISC, ELEMENTS, Keyword, SPEED, SPIN, STRING, TypeRow, element_of,
+    elements_of_paths, has_somewhere, neutral,
 };
 pub(crate) use in_space::{PAIRS, in_space};
 pub(crate) use located::{

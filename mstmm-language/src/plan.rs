@@ -70,6 +70,16 @@ impl<'a> Plan<'a> {
         self.elements.iter().any(|element| element.known().is_some_and(|known| known.space == Space::Planar))
     }
 
+    /// The elements that spin: of a rotor.
+    pub(crate) fn spinning(&self) -> impl Iterator<Item = &'a Element> {
+        self.elements.iter().copied().filter(|element| element.spins())
+    }
+
+    /// Whether something spins: then it is a rotor.
+    pub(crate) fn spins(&self) -> bool {
+        self.spinning().next().is_some()
+    }
+
     /// Whether elements of the user's own stand in it, whose states rustc alone knows.
     pub(crate) fn has_own_types(&self) -> bool {
         self.elements.iter().any(|element| element.known().is_none())

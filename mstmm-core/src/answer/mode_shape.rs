@@ -208,7 +208,7 @@ where
         self.field.add(&other.field, factor);
     }
 
-    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1, unless the shape was scaled.
+    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`, of a rotor `φᵀ M φ - φᵀ Ω G φ/(2ω)`: 1, unless the shape was scaled.
     pub fn modal_mass(&self) -> S {
         self.product(self)
     }
@@ -218,12 +218,18 @@ where
         self.field.form(Form::Stiffness, &self.field)
     }
 
-    /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots.
+    /// `φ₁ᵀ M φ₂ + φ₁ᵀ C φ₂/(λ₁ + λ₂)`: zero for shapes of different roots. Of a rotor it is `φ₁ᵀ M φ₂ - φ₁ᵀ Ω G φ₂/(ω₁ + ω₂)`, zero for shapes of
+    /// one whirl.
     ///
     /// Integrals along beams are exact; rigid bodies, masses and dampers take part.
     pub fn product(&self, other: &Self) -> S {
         let mass = self.field.form(Form::Mass, &other.field);
-        let sum = self.field.x.lambda() + other.field.x.lambda();
+        let [first, second] = [self.field.x, other.field.x];
+        let sum = if const { Y::SPINS } {
+            (first.slope_of_lambda_squared() + second.slope_of_lambda_squared()) * S::from_f64(0.5)
+        } else {
+            first.lambda() + second.lambda()
+        };
         if sum.is_zero() { mass } else { mass + self.field.form(Form::Damping, &other.field) / sum }
     }
 

@@ -143,6 +143,7 @@ pub trait ModalAnalysis: System {
         R: Root<<Self as System>::Parameter> + 'r,
         Self: ExtendedTree<R::Frequency> + Sized,
     {
+        const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
         ModalResponse::new(&OfTree::new(self, load, entry)?, roots)
     }
 }

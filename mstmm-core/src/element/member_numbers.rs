@@ -104,12 +104,38 @@ pub struct DampingNumbers {
     pub(crate) time: Exact,
     /// Viscous damping: of a spring C, which adds `Cλ` to its stiffness; of a medium around a member c_e, which adds `c_e λ` to its foundation.
     pub(crate) viscous: Exact,
+    /// Cross stiffness and cross damping of a spring beside a rotor, which take `i (k_c + c_c λ)` from its stiffness.
+    pub(crate) cross: [Exact; 2],
 }
 
 impl DampingNumbers {
     /// Whether nothing is damped.
     pub(crate) fn is_none(&self) -> bool {
         *self == DampingNumbers::default()
+    }
+
+    /// With cross terms.
+    pub(crate) fn across(self, cross: [Exact; 2]) -> Self {
+        DampingNumbers { cross, ..self }
+    }
+}
+
+/// What spins about the axis of a line, as a whirl sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SpinNumbers {
+    /// Polar moment of inertia, of a member per length.
+    pub(crate) polar_inertia: Exact,
+    /// Speed, positive in the sense of the whirl.
+    pub(crate) speed: Exact,
+}
+
+impl SpinNumbers {
+    /// What does not spin.
+    pub(crate) const NONE: Self = SpinNumbers { polar_inertia: [0.0; 2], speed: [0.0; 2] };
+
+    /// Whether nothing spins.
+    pub(crate) fn is_none(&self) -> bool {
+        *self == Self::NONE
     }
 }
 
@@ -121,6 +147,12 @@ pub enum MemberNumbers {
     Other,
     /// A beam; between two places it is as long as these are apart.
     Beam(BeamNumbers),
+    /// A beam that spins.
+    SpinningBeam(BeamNumbers, SpinNumbers),
+    /// A beam that spins with damping.
+    DampedSpinningBeam(BeamNumbers, DampingNumbers, SpinNumbers),
+    /// A point mass that spins.
+    Disc(BodyNumbers, SpinNumbers),
     /// A tapered beam, which rotates or not.
     Tapered(TaperedNumbers),
     /// A line in the freedom of that index.
@@ -176,10 +208,22 @@ impl MemberNumbers {
         if freedom < 3 { MemberNumbers::Line(freedom, numbers) } else { MemberNumbers::Other }
     }
 
+    /// A beam, and its spin if it has one.
+    pub(crate) fn spun_beam(&self) -> Option<(&BeamNumbers, &SpinNumbers)> {
+        match self {
+            MemberNumbers::Beam(beam) => Some((beam, &SpinNumbers::NONE)),
+            MemberNumbers::SpinningBeam(beam, spin) => Some((beam, spin)),
+            _ => None,
+        }
+    }
+
     /// The element without its damping, and that.
     pub(crate) fn parted(&self) -> (MemberNumbers, DampingNumbers) {
         match *self {
             MemberNumbers::DampedBeam(beam, damping) => (MemberNumbers::Beam(beam), damping),
+            MemberNumbers::DampedSpinningBeam(beam, damping, spin) => {
+                (MemberNumbers::SpinningBeam(beam, spin), damping)
+            }
             MemberNumbers::DampedLine(freedom, line, damping) => (MemberNumbers::Line(freedom, line), damping),
             MemberNumbers::DampedLineBetween(freedom, line, damping) => {
                 (MemberNumbers::LineBetween(freedom, line), damping)

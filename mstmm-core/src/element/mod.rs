@@ -10,6 +10,7 @@ pub(crate) mod member_motion;
 pub(crate) mod member_numbers;
 pub(crate) mod member_transfer;
 pub(crate) mod moving;
+pub(crate) mod spins;
 pub(crate) mod traits;
 pub(crate) mod visit;
 
@@ -21,9 +22,10 @@ pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
 pub(crate) use member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub(crate) use member_numbers::{
-    BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, TaperedNumbers,
+    BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, SpinNumbers, TaperedNumbers,
 };
 pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};
 pub(crate) use moving::{CoefficientsOf, Moving};
+pub(crate) use spins::Spins;
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};
 pub(crate) use visit::{Visit, VisitStep};

@@ -119,6 +119,7 @@ macro_rules! any_elements {
     (
         undamped { $($element:ident { $($field:ident),* })* }
         damped { $($damped:ident { $($damped_field:ident),* })* }
+        spinning { $($spinning:ident)* } spinning damped { $($spinning_damped:ident)* }
     ) => {
         any_element!(
             /// Any built-in element without damping.

@@ -15,6 +15,8 @@ mod compound;
 mod constants;
 mod damped;
 mod damped_beam;
+mod damped_spinning;
+mod damped_spinning_beam;
 mod held;
 mod inside;
 mod kinds;
@@ -22,12 +24,16 @@ mod members;
 mod motion;
 mod of_built;
 mod parameters;
+mod spinning;
+mod spinning_beam;
 mod transfer;
 mod under_load;
 mod wave_pair;
 
 pub use damped_beam::DampedBeam;
+pub use damped_spinning_beam::DampedSpinningBeam;
 pub use kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+pub use spinning_beam::SpinningBeam;
 
 /// A beam with its quantities that do not depend on the frequency.
 #[derive(Clone, Copy, Debug)]

@@ -7,11 +7,13 @@ mod any;
 pub(crate) mod any_member;
 mod beam;
 mod body;
+mod cross_coupled_spring;
 mod damped_hinge;
 pub(crate) mod damped_joint;
 mod damped_planar_hinge;
 mod damped_spring;
 mod damped_wave_line;
+mod disc;
 mod elastic_hinge;
 mod general_beam;
 mod hinge;
@@ -33,12 +35,16 @@ mod wave_line;
 pub use any::{AnyElement, AnyUndamped};
 pub use beam::Beam;
 pub use body::{Body, BodyColumn, CentralBody, CentralBodyColumn};
+pub use cross_coupled_spring::CrossCoupledSpring;
 pub use damped_hinge::DampedHinge;
 pub use damped_planar_hinge::DampedPlanarHinge;
 pub use damped_spring::{DampedSpring, DampedTorsionSpring};
 pub use damped_wave_line::{DampedRod, DampedShaft, DampedString};
+pub use disc::Disc;
 pub use elastic_hinge::ElasticHinge;
-pub use general_beam::{BeamColumn, DampedBeam, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
+pub use general_beam::{
+    BeamColumn, DampedBeam, DampedSpinningBeam, FoundationBeam, GeneralBeam, RayleighBeam, SpinningBeam, TimoshenkoBeam,
+};
 pub use hinge::{RotationalHinge, ShearHinge};
 pub use in_plane::{Across, InPlane, Stretching};
 pub use lever::{Lever, LeverColumn};
@@ -64,11 +70,13 @@ pub struct Row {
 }
 
 /// Declares the list of the elements with their parameters, which laws and lists of steps share. Planar elements are listed apart,
-/// since they have no step of the plane method.
+/// since they have no step of the plane method, and those that spin, since a list of steps has no whirl.
 macro_rules! elements {
     (
         undamped { $($element:ident { $($field:ident),* })* }
         damped { $($damped:ident { $($damped_field:ident),* })* }
+        spinning { $($spinning:ident { $($spinning_field:ident),* })* }
+        spinning damped { $($spinning_damped:ident { $($spinning_damped_field:ident),* })* }
         planar { $($planar:ident { $($planar_field:ident),* })* }
         planar damped { $($planar_damped:ident { $($planar_damped_field:ident),* })* }
         stretching { $($stretching:ident)* }
@@ -79,6 +87,8 @@ macro_rules! elements {
         pub const ELEMENTS: &[Row] = &[
             $(row!($element { $($field),* }),)*
             $(row!($damped { $($damped_field),* }),)*
+            $(row!($spinning { $($spinning_field),* }),)*
+            $(row!($spinning_damped { $($spinning_damped_field),* }),)*
             $(row!($planar { $($planar_field),* }),)*
             $(row!($planar_damped { $($planar_damped_field),* }),)*
         ];
@@ -89,6 +99,8 @@ macro_rules! elements {
 
         $(by_name!($element { $($field),* });)*
         $(by_name!($damped { $($damped_field),* });)*
+        $(by_name!($spinning { $($spinning_field),* });)*
+        $(by_name!($spinning_damped { $($spinning_damped_field),* });)*
         $(by_name!($planar { $($planar_field),* });)*
         $(by_name!($planar_damped { $($planar_damped_field),* });)*
 
@@ -97,6 +109,7 @@ macro_rules! elements {
             ($use_of_them:ident) => {
                 $use_of_them! {
                     undamped { $($element { $($field),* })* } damped { $($damped { $($damped_field),* })* }
+                    spinning { $($spinning)* } spinning damped { $($spinning_damped)* }
                 }
             };
         }
@@ -106,6 +119,7 @@ macro_rules! elements {
         macro_rules! for_each_undamped_element {
             ($law:ident) => {
                 $($law::<$element<f64>>();)*
+                $($law::<$spinning<f64>>();)*
                 $($law::<$planar<f64>>();)*
                 $($law::<InPlane<$stretching<f64>>>();)*
             };
@@ -115,6 +129,8 @@ macro_rules! elements {
             ($law:ident) => {
                 $($law::<$element<f64>>();)*
                 $($law::<$damped<f64>>();)*
+                $($law::<$spinning<f64>>();)*
+                $($law::<$spinning_damped<f64>>();)*
                 $($law::<$planar<f64>>();)*
                 $($law::<$planar_damped<f64>>();)*
                 $($law::<InPlane<$stretching<f64>>>();)*
@@ -201,6 +217,20 @@ elements! {
         DampedShaft {
             length, torsional_stiffness, inertia_per_length, loss_factor, kelvin_voigt_time, external_damping
         }
+    }
+    spinning {
+        SpinningBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness, polar_inertia_per_length, speed
+        }
+        Disc { mass, inertia, polar_inertia, speed }
+    }
+    spinning damped {
+        DampedSpinningBeam {
+            length, bending_stiffness, mass_per_length, shear_stiffness, rotary_inertia, axial_force, foundation_stiffness,
+            foundation_shear_stiffness, polar_inertia_per_length, speed, kelvin_voigt_time, external_damping
+        }
+        CrossCoupledSpring { stiffness, loss_factor, kelvin_voigt_time, damping, cross_stiffness, cross_damping }
     }
     planar {
         PlanarBody { mass, inertia, output_x, output_y, centre_x, centre_y }

@@ -55,8 +55,8 @@ impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for PointMass<T> 
 /// `a = mλ²` and `j = Jλ²`.
 #[derive(Clone, Copy, Debug)]
 pub struct PointMassCoefficients<S> {
-    a: S,
-    j: S,
+    pub(super) a: S,
+    pub(super) j: S,
 }
 
 impl<T: Parameter, S: Frequency<T>> PlaneStep<S> for PointMass<T> {

@@ -23,6 +23,10 @@ pub struct FrequencyEstimates {
     loss_factor: f64,
     /// Rates of decay at which the stiffness of a member with waves vanishes.
     singularities: Range,
+    /// Whether one of these is at a point off the real axis.
+    are_off_axis: bool,
+    /// Whether eigenvalues are those of one whirl, which differ from those of the other one.
+    is_whirl: bool,
     /// Logarithms to base 2 of a low estimate of the frequencies, of one that no other falls short of by much, and of a high one.
     exponents: [i32; 3],
 }
@@ -61,6 +65,8 @@ impl Default for FrequencyEstimates {
             levers: Range::EMPTY,
             loss_factor: 0.0,
             singularities: Range::EMPTY,
+            are_off_axis: false,
+            is_whirl: false,
             exponents: [0; 3],
         }
     }
@@ -128,6 +134,32 @@ impl FrequencyEstimates {
     /// which eigenvalues accumulate. An infinite one is none.
     pub fn essential_singularity(&mut self, rate: f64) {
         self.singularities.include(rate);
+    }
+
+    /// The same of a shaft that spins: there it vanishes at `λ = -a + iΩ`.
+    pub fn turning_singularity(&mut self, rate: f64) {
+        self.singularities.include(rate);
+        self.are_off_axis |= rate > 0.0 && rate < f64::INFINITY;
+    }
+
+    /// Something has gyroscopic moments or cross terms: eigenvalues have no mirror images, and motions may grow.
+    pub fn whirl(&mut self) {
+        self.is_whirl = true;
+    }
+
+    /// Whether eigenvalues are those of one whirl.
+    pub(crate) fn is_whirl(&self) -> bool {
+        self.is_whirl
+    }
+
+    /// Whether each eigenvalue has a mirror image on the other side of the real axis.
+    pub(crate) fn have_images(&self) -> bool {
+        !(self.has_loss() || self.is_whirl)
+    }
+
+    /// Whether an essential singularity is off the real axis, at a place that is not known here.
+    pub(crate) fn are_off_axis(&self) -> bool {
+        self.are_off_axis
     }
 
     /// Whether some stiffness has a loss factor.

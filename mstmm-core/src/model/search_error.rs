@@ -117,6 +117,11 @@ pub enum SearchError {
         /// The lower end of the region [rad/s].
         im: f64,
     },
+    /// A region that reaches down to the real axis of λ, of a whirl of a rotor: below are the eigenvalues of the other whirl.
+    OtherWhirl {
+        /// The lower end of the region [rad/s].
+        im: f64,
+    },
     /// A region that comes near a λ at which the stiffness of a member of Kelvin and Voigt vanishes: infinitely many eigenvalues accumulate
     /// there. Fewer than were asked for are nearer to zero.
     Accumulation {
@@ -174,11 +179,11 @@ impl fmt::Display for SearchError {
                 write!(f, "their rates are real eigenvalues, which `eigenvalues` finds")
             }
             SearchError::LossFactor { im } => {
-                write!(
-                    f,
-                    "the region reaches down to Im λ = {im}, but a loss factor describes motions with Im λ > 0 alone: "
-                )?;
-                write!(f, "let it begin above zero")
+                write!(f, "the region reaches down to Im λ = {im}: let it begin above zero, ")?;
+                write!(f, "since a loss factor describes motions with Im λ > 0 alone")
+            }
+            SearchError::OtherWhirl { im } => {
+                write!(f, "the region reaches down to Im λ = {im}: below zero are the eigenvalues of the other whirl")
             }
             SearchError::Accumulation { from, to } => {
                 write!(

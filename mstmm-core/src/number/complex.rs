@@ -137,6 +137,11 @@ impl<T: Real> Frequency<T> for Complex<T> {
     }
 
     #[inline]
+    fn signed_omega(self) -> Self {
+        Frequency::<T>::omega(self)
+    }
+
+    #[inline]
     fn from_parameter(parameter: T) -> Self {
         Complex::new(parameter, T::zero())
     }

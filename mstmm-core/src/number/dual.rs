@@ -249,6 +249,11 @@ impl<T: Real> Frequency<T> for Dual<T> {
     }
 
     #[inline]
+    fn signed_omega(self) -> Self {
+        self
+    }
+
+    #[inline]
     fn from_parameter(parameter: T) -> Self {
         Dual::constant(parameter)
     }
@@ -265,6 +270,11 @@ impl<T: Real> Frequency<T> for Dual<Complex<T>> {
     #[inline]
     fn omega(self) -> Self {
         self.map(Frequency::<T>::omega)
+    }
+
+    #[inline]
+    fn signed_omega(self) -> Self {
+        Frequency::<T>::omega(self)
     }
 
     #[inline]

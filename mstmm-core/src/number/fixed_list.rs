@@ -46,6 +46,11 @@ impl<V: Copy, const CAP: usize> List<V, CAP> {
         &mut self.values[..self.length]
     }
 
+    /// The list of a function of each value.
+    pub(crate) fn map<W>(self, to: impl FnMut(V) -> W) -> List<W, CAP> {
+        List { values: self.values.map(to), length: self.length }
+    }
+
     /// Turns the order round.
     #[inline]
     pub(crate) fn reverse(&mut self) {

@@ -25,6 +25,11 @@ impl<T: Real> Frequency<T> for T {
     }
 
     #[inline]
+    fn signed_omega(self) -> Self {
+        self
+    }
+
+    #[inline]
     fn from_parameter(parameter: T) -> Self {
         parameter
     }

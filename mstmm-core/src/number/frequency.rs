@@ -142,6 +142,9 @@ pub trait Frequency<T>: Scalar + Mul<T, Output = Self> {
     /// `ω = -iλ`, to whose root the wave numbers of beams are proportional; `|ω|` for a real frequency.
     fn omega(self) -> Self;
 
+    /// `ω = -iλ` with its sign, which tells forward whirl from backward whirl.
+    fn signed_omega(self) -> Self;
+
     /// A parameter as a scalar of this type.
     fn from_parameter(parameter: T) -> Self;
 }

@@ -279,6 +279,11 @@ macro_rules! frequency {
             }
 
             #[inline(always)]
+            fn signed_omega(self) -> Self {
+                self
+            }
+
+            #[inline(always)]
             fn from_parameter(parameter: $parameter) -> Self {
                 $load(parameter)
             }

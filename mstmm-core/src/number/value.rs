@@ -243,6 +243,11 @@ impl<T: Real> Frequency<T> for Value<Complex<T>> {
     }
 
     #[inline]
+    fn signed_omega(self) -> Self {
+        Frequency::<T>::omega(self)
+    }
+
+    #[inline]
     fn from_parameter(parameter: T) -> Self {
         Value(Frequency::from_parameter(parameter))
     }

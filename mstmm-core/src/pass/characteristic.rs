@@ -25,6 +25,10 @@ pub trait System {
     #[doc(hidden)]
     const IS_NETWORK: bool = false;
 
+    /// Whether something spins: its gyroscopic moments take part in modal masses, and modes of both whirls in sums over modes.
+    #[doc(hidden)]
+    const SPINS: bool = false;
+
     /// Whether some element may have a negative stiffness at rest: then searches ask first whether the system is stable.
     #[doc(hidden)]
     const MAY_BUCKLE: bool = false;

@@ -1,6 +1,6 @@
 //! Parts are added to a front: each is a symmetric matrix of balls over rows of variables, and a count with its rows held.
 
-use crate::element::{BeamNumbers, Exact, LineNumbers};
+use crate::element::{BeamNumbers, Exact, LineNumbers, SpinNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, bending};
 use crate::proof::general_bending::general_bending;
@@ -97,13 +97,19 @@ apart! {
     /// A general beam, lane by lane, and whether one of them is beside a pole.
     pub(crate) fn general<N: Level>(
         joining: &Joining<'_, N>,
-        numbers: &BeamNumbers,
+        beam: (&BeamNumbers, &SpinNumbers),
         length: Ball<N::Alone>,
     ) -> (Bending<N>, bool) {
-        let first = general_bending(numbers, length, joining.square.lane(0));
+        let (numbers, spin) = beam;
+        let momentum = (!spin.is_none()).then(|| momentum::<N::Alone>(spin));
+        let in_lane = |lane: usize| {
+            let moment = momentum.map(|momentum| momentum * joining.omega.lane(lane));
+            general_bending(numbers, length, joining.square.lane(lane), moment)
+        };
+        let first = in_lane(0);
         let (mut lanes, mut is_beside_pole) = ([first.member; MOST_LANES], first.is_beside_pole);
         for (lane, member) in lanes.iter_mut().enumerate().take(N::Word::LANES).skip(1) {
-            let beam = general_bending(numbers, length, joining.square.lane(lane));
+            let beam = in_lane(lane);
             *member = beam.member;
             is_beside_pole |= beam.is_beside_pole;
         }
@@ -177,6 +183,12 @@ apart! {
         add(joining, &[entry], &[row], [entry.mid.size().first()]);
     }
 
+    /// See [`Join::add_spin`].
+    pub(crate) fn add_spin<N: Level>(joining: &mut Joining<'_, N>, spin: &SpinNumbers, row: Terms<'_, N>) {
+        let entry = Ball::everywhere(momentum::<N::Alone>(spin)) * joining.omega;
+        add(joining, &[entry], &[row], [entry.mid.size().first()]);
+    }
+
     /// Adds the inertia of a body over rows of displacement and rotation of a point, given its mass, its mass moment and its moment of inertia
     /// about the point.
     pub(crate) fn add_inertia<N: Level>(joining: &mut Joining<'_, N>, inertia: [Ball<N::Alone>; 3], rows: [Terms<'_, N>; 2]) {
@@ -215,4 +227,9 @@ apart! {
         }
         joining.held = joining.held + N::Word::of(-1.0);
     }
+}
+
+/// The angular momentum of what spins, of which ω times is a stiffness against rotations.
+pub(crate) fn momentum<N: Level>(spin: &SpinNumbers) -> Ball<N> {
+    Ball::of_pair(spin.polar_inertia) * Ball::of_pair(spin.speed)
 }

@@ -56,10 +56,10 @@ pub(crate) struct Room<'m, N: Level> {
 /// A run at ω², of either sign, in memory for a front.
 #[inline(always)]
 pub(crate) fn run<'m, N: Level>(model: &'m dyn Visited, memory: Room<'m, N>, at: At<N>) -> Result<Outcomes, Failure> {
-    let At { square, toward, omega } = at;
+    let At { square, toward, omega, known_at } = at;
     let front = Front::new(memory.entries, memory.variables, toward);
-    let known_at = (N::Word::LANES == 1).then_some(omega);
-    let mut joining = join_all(model, known_at, Joining::new(front, square), memory.paths);
+    let known_at = (N::Word::LANES == 1).then_some(known_at);
+    let mut joining = join_all(model, known_at, Joining::new(front, [square, omega]), memory.paths);
     joining.leave_all();
     let Joining { front, held, failure, .. } = joining;
     if let Some(failure) = failure {
@@ -83,19 +83,22 @@ pub(crate) struct At<N: Number> {
     square: Ball<N>,
     /// -1 for a bound from above, 1 for one from below.
     toward: N::Word,
-    /// ω of the first lane as the sum of two words; 0 where ω² is negative.
-    omega: [f64; 2],
+    /// ω; 0 where ω² is negative.
+    omega: Ball<N>,
+    /// ω of the first lane as the sum of two words.
+    known_at: [f64; 2],
 }
 
 impl<N: Level> At<N> {
     /// At `sign ω²`, a place in each lane.
     #[inline(always)]
     pub(crate) fn new(places: &[Place], sign: f64) -> Self {
-        let omega = places.first().map_or([0.0; 2], |(omega, _)| if sign < 0.0 { [0.0; 2] } else { *omega });
+        let real = |omega: [f64; 2]| if sign < 0.0 { [0.0; 2] } else { omega };
         At {
             square: Ball::of_lanes(places, &|(omega, _)| signed_square(*omega, sign)),
             toward: load(places, &|(_, side)| side.toward()),
-            omega,
+            omega: Ball::of_lanes(places, &|(omega, _)| Ball::of_pair(real(*omega))),
+            known_at: places.first().map_or([0.0; 2], |(omega, _)| real(*omega)),
         }
     }
 }

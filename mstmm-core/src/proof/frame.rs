@@ -1,6 +1,6 @@
 //! A frame member by member: a node has up to six variables, from the first member that knows it until it leaves.
 
-use crate::element::{Exact, MemberNumbers, OwnPart};
+use crate::element::{Exact, MemberNumbers, OwnPart, SpinNumbers};
 use crate::model::{MemberPlane, Skew};
 use crate::proof::axes::{Axes, Vector, difference_of, direction, directions, dot, part_across};
 use crate::proof::ball::Ball;
@@ -213,7 +213,11 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
                     joining.add_line((&line, &damping), length, [first[0].terms(), second[0].terms()]);
                 }
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
-                joining.add_bending((beam, &damping), length, ends.map(|row| row.terms()));
+                joining.add_bending((beam, &damping, &SpinNumbers::NONE), length, ends.map(|row| row.terms()));
+            }
+            MemberNumbers::SpinningBeam(beam, spin) => {
+                let ends = [&first[1], &first[2], &second[1], &second[2]];
+                joining.add_bending((beam, &damping, spin), length, ends.map(|row| row.terms()));
             }
             MemberNumbers::Tapered(beam) => {
                 let ends = [&first[1], &first[2], &second[1], &second[2]];
@@ -364,7 +368,7 @@ fn last_of(ends: &[MemberEnd; 2], next: usize) -> usize {
 fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
     match &numbers.parted().0 {
         MemberNumbers::Beam(beam) if beam.axial_stiffness == [0.0; 2] => Freedoms::Y.union(Freedoms::RZ),
-        MemberNumbers::Tapered(_) => Freedoms::Y.union(Freedoms::RZ),
+        MemberNumbers::Tapered(_) | MemberNumbers::SpinningBeam(..) => Freedoms::Y.union(Freedoms::RZ),
         MemberNumbers::Beam(_) => Freedoms::PLANE,
         MemberNumbers::String(_) => Freedoms::X.union(Freedoms::Y),
         MemberNumbers::Line(freedom, _)

@@ -28,11 +28,17 @@ pub(crate) struct General<N: Number> {
     pub(crate) is_beside_pole: <N::Word as Word>::Mask,
 }
 
-/// The beam at a squared frequency of either sign. EI, m and `1 + (N + G) f` are positive, f and r zero or positive.
+/// The beam at a squared frequency of either sign, with a moment per length and rotation, of either sign, if it spins. EI, m and `1 + (N + G) f` are
+/// positive, f and r zero or positive.
 #[inline(never)]
-pub(crate) fn general_bending<N: Level>(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> General<N> {
+pub(crate) fn general_bending<N: Level>(
+    beam: &BeamNumbers,
+    length: Ball<N>,
+    square: Ball<N>,
+    moment: Option<Ball<N>>,
+) -> General<N> {
     let word = N::Word::of;
-    let at = Equations::of(beam, length, square);
+    let at = Equations::of(beam, length, square, moment);
     let Equations { sigma, tau, g, h, cut, waves, .. } = at;
     // a short wave is one whose whole balls are: the bound of the rest of its series needs it
     let is_short = N::Word::both(waves.sum.largest().is_less(word(2.0)), waves.product.largest().is_less(word(1.0)));

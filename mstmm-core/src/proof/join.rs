@@ -1,6 +1,6 @@
 //! What the parts of a model join, row by row: the front of a count, or the matrix of a disc.
 
-use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, TaperedNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, SpinNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::level::Level;
 use crate::proof::row::{Row, Term};
@@ -37,6 +37,8 @@ pub(crate) trait Join: Sized {
     fn add_inertia(&mut self, inertia: [Ball<Self::Alone>; 3], rows: [&[Term<Self::Alone>]; 2]);
     /// Adds the inertia of a body over the rows of its three rotations, given the lower triangle of its tensor.
     fn add_tensor(&mut self, tensor: [Ball<Self::Alone>; 6], rows: [&[Term<Self::Alone>]; 3]);
+    /// Adds the gyroscopic moment of what spins over the row of its rotation.
+    fn add_spin(&mut self, spin: &SpinNumbers, row: &[Term<Self::Alone>]);
     /// Adds a line over the rows of its ends.
     fn add_line(
         &mut self,
@@ -47,7 +49,7 @@ pub(crate) trait Join: Sized {
     /// Adds the bending of a beam over the rows of displacement and rotation of both ends.
     fn add_bending(
         &mut self,
-        beam: (&BeamNumbers, &DampingNumbers),
+        beam: (&BeamNumbers, &DampingNumbers, &SpinNumbers),
         length: Ball<Self::Alone>,
         rows: [&[Term<Self::Alone>]; 4],
     );

@@ -1,9 +1,9 @@
 //! How the parts of a model join the front of a count.
 
-use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, TaperedNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, SpinNumbers, TaperedNumbers};
 use crate::proof::adding::{
-    add_bent, add_counted, add_force, add_inertia, add_line, add_mass, add_member, add_plain_bending, add_tensor,
-    add_term, general,
+    add_bent, add_counted, add_force, add_inertia, add_line, add_mass, add_member, add_plain_bending, add_spin,
+    add_tensor, add_term, general,
 };
 use crate::proof::ball::Ball;
 use crate::proof::front::substitute;
@@ -101,6 +101,12 @@ impl<N: Level> Join for Joining<'_, N> {
         add_tensor(self, tensor, rows);
     }
 
+    fn add_spin(&mut self, spin: &SpinNumbers, row: Terms<'_, N>) {
+        if !spin.is_none() {
+            add_spin(self, spin, row);
+        }
+    }
+
     #[inline(always)]
     fn add_line(
         &mut self,
@@ -115,17 +121,17 @@ impl<N: Level> Join for Joining<'_, N> {
 
     fn add_bending(
         &mut self,
-        (numbers, damping): (&BeamNumbers, &DampingNumbers),
+        (numbers, damping, spin): (&BeamNumbers, &DampingNumbers, &SpinNumbers),
         length: Ball<N::Alone>,
         rows: [Terms<'_, N>; 4],
     ) {
         if self.refuses(damping) {
             return;
         }
-        if numbers.is_plain() {
+        if numbers.is_plain() && spin.is_none() {
             return add_plain_bending(self, numbers, length, rows);
         }
-        let (whole, is_beside_pole) = general(self, numbers, length);
+        let (whole, is_beside_pole) = general(self, (numbers, spin), length);
         if !is_beside_pole {
             return add_bent(self, &whole, &numbers.bending_stiffness, length, rows);
         }
@@ -135,7 +141,7 @@ impl<N: Level> Join for Joining<'_, N> {
         let part = |share: f64| length * Ball::of(share);
         let [y, theta] = [middle[0].terms(), middle[1].terms()];
         for (share, rows) in [(0.375, [rows[0], rows[1], y, theta]), (0.625, [y, theta, rows[2], rows[3]])] {
-            let (piece, _) = general(self, numbers, part(share));
+            let (piece, _) = general(self, (numbers, spin), part(share));
             add_bent(self, &piece, &numbers.bending_stiffness, part(share), rows);
         }
         variables.into_iter().for_each(|variable| self.leaves_behind(variable));

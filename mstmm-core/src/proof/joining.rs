@@ -21,6 +21,8 @@ pub(crate) struct Joining<'m, N: Number> {
     pub(crate) front: Front<'m, N>,
     /// ω², of either sign.
     pub(crate) square: Ball<N>,
+    /// ω; 0 where ω² is negative, at which nothing spins.
+    pub(crate) omega: Ball<N>,
     /// The sum of the counts with held ends: of upper bounds in lanes that are bounded from above, of lower ones in the others.
     pub(crate) held: N::Word,
     /// Variables that leave behind others, borders and those with small pivots, each with the node or the step where it would have left.
@@ -33,9 +35,9 @@ pub(crate) struct Joining<'m, N: Number> {
 impl<'m, N: Level> Joining<'m, N> {
     /// A front that nothing has joined.
     #[inline(always)]
-    pub(crate) fn new(front: Front<'m, N>, square: Ball<N>) -> Self {
+    pub(crate) fn new(front: Front<'m, N>, [square, omega]: [Ball<N>; 2]) -> Self {
         let held = N::Word::of(0.0);
-        Joining { front, square, held, waiting: [(0, 0); MOST_WAITING], waiting_count: 0, failure: None }
+        Joining { front, square, omega, held, waiting: [(0, 0); MOST_WAITING], waiting_count: 0, failure: None }
     }
 
     /// Lets a variable leave behind those of the end that leaves first: before that its pivot may be a pole.

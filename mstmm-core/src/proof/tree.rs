@@ -187,6 +187,11 @@ fn through<J: Join>(
             }
             return next;
         }
+        MemberNumbers::Disc(body, spin) => {
+            add_body(body, [y, theta], joining);
+            joining.add_spin(spin, theta);
+            return next;
+        }
         MemberNumbers::Spring(freedom, stiffness) => {
             let index = usize::from(*freedom == 2);
             next[index] = Some(spring((stiffness, &damping), rows[index].as_ref(), joining));
@@ -209,8 +214,10 @@ fn through<J: Join>(
             let ends = [y, theta, own[0].terms(), own[1].terms()];
             match &numbers {
                 MemberNumbers::Tapered(beam) => joining.add_tapered(beam, Ball::of_pair(beam.length), ends),
-                MemberNumbers::Beam(beam) => joining.add_bending((beam, &damping), Ball::of_pair(beam.length), ends),
-                _ => joining.fail(Failure::NotInNumbers),
+                _ => match numbers.spun_beam() {
+                    Some((beam, spin)) => joining.add_bending((beam, &damping, spin), Ball::of_pair(beam.length), ends),
+                    None => joining.fail(Failure::NotInNumbers),
+                },
             }
             next = own.map(Some);
         }

@@ -2,8 +2,8 @@
 
 use super::{Element, Kind};
 use crate::keywords::{
-    Dimension, Keyword, LocatedKeyword, RIGID_LINK, STRING, STRING_BETWEEN_PLACES, TypeRow, element_of, located_of,
-    neutral,
+    CROSS, Dimension, Keyword, LocatedKeyword, RIGID_LINK, SPEED, STRING, STRING_BETWEEN_PLACES, TypeRow, element_of,
+    located_of, neutral,
 };
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
@@ -91,6 +91,12 @@ impl Element {
             let value = if has_dashpot { 0.0 } else { neutral(name) };
             (row.map_or(name, |row| row.field(name)), value)
         })
+    }
+
+    /// Whether it names the speed at which it spins, or pushes across a displacement: what tells both whirls of a rotor apart.
+    pub(crate) fn spins(&self) -> bool {
+        let of_type = self.type_row().map_or(&[][..], |row| row.parameters).iter();
+        of_type.filter(|name| **name == SPEED || CROSS.contains(name)).any(|name| self.gives(name))
     }
 
     /// Whether it is of a type that has a loss factor.

@@ -5,8 +5,8 @@ use super::new_words::value_of;
 use crate::ast::{Element, Parameter};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    AXIAL_STIFFNESS, BAR, DAMPING, Dimension, Meant, PAIRS, STRING, has_somewhere, in_space, meant_parameter, nearest,
-    renamed_in,
+    AXIAL_STIFFNESS, BAR, CROSS, DAMPING, Dimension, Meant, PAIRS, SPEED, SPIN, STRING, has_somewhere, in_space,
+    meant_parameter, nearest, renamed_in,
 };
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -63,6 +63,16 @@ fn instead_of(
     }
     if keyword == BAR && TORSION.contains(&name.as_str()) {
         return "both ends of a bar turn freely, so nothing twists it: remove it, or take `beam`".to_owned();
+    }
+    if keyword == "spring" && matches!(name.as_str(), "stiffness_y" | "stiffness_z") {
+        return "it is alike in all directions across a shaft: write `stiffness`".to_owned();
+    }
+    if CROSS.contains(&name.as_str()) && keyword == "spring" {
+        return "it is that of a seal beside a rotor, in a line of paths without places".to_owned();
+    }
+    if name == SPEED || name == SPIN[0] && element.dimension == Dimension::Line {
+        let taper = if keyword == "tapered_beam" { ": that of a blade about its hub is `rotation_speed`" } else { "" };
+        return format!("a `beam` and a `disc` spin, in a line of paths without places{taper}");
     }
     // of a length between places a message of its own speaks
     if let Some(other) = elsewhere(element, &name) {

@@ -1,7 +1,7 @@
 //! Rules that need no graph: keywords, labels, and the parts of an element.
 
 use super::new_words::in_new_words;
-use super::{fields, listed, parameters, selves};
+use super::{fields, listed, parameters, selves, spin};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
@@ -118,6 +118,7 @@ fn check_element(element: &Element, model: &Model, errors: &mut Errors) {
         let known = element.known().map(Keyword::parameters);
         parameters::parameters(element, known.as_ref(), errors);
         parameters::one_of_them(element, errors);
+        spin::of_beam(element, errors);
         if parameters::names_nothing(element) {
             let advice = "write `stiffness_rz: 0.0`, which lets the rotation go, or another stiffness";
             errors.push(

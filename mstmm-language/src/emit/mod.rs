@@ -7,6 +7,7 @@ mod layout;
 mod located;
 mod names;
 mod pass;
+mod rotor;
 mod searched;
 mod sensitivity;
 mod system;
@@ -38,6 +39,7 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
     let drawn = tree::drawn(plan, &names);
+    let rotor = rotor::spinning(plan, &names);
     let unused = fields::unused(model, unused, &names);
     // one message for a planar path that is searched, rather than one for each number that searches use
     let searched = if plan.is_planar() {
@@ -60,6 +62,7 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
             #tree
             #drawn
             #unused
+            #rotor
             #searched
         };
     }

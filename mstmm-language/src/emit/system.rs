@@ -36,6 +36,7 @@ pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
     });
     let elements = first_of_each_type(plan, names).into_iter().map(|element| names.element_as(element, "Element"));
     let elements: Vec<TokenStream> = elements.collect();
+    let spins = plan.spins().then(|| quote_spanned!(names.here=> const SPINS: bool = true;));
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl<#parameter: #private::Real> #private::System for #system<#parameter> {
@@ -43,6 +44,7 @@ pub(super) fn implementation(plan: &Plan<'_>, names: &Names) -> TokenStream {
             const STANDS_IN_LINE: bool = #steps <= #private::LONGEST_IN_LANES && Self::HAS_PHASES;
             const HAS_PHASES: bool = #(#elements::IS_STRAIGHT)&&*;
             const MAY_BUCKLE: bool = #(#elements::MAY_BUCKLE)||*;
+            #spins
 
             fn name_parts(&self, visitor: &mut dyn #private::Visitor) {
                 let numbers = |step: ::core::primitive::usize| match step {
@@ -128,21 +130,43 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
             uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
         }
     });
+    let of_model = trait_of_model(plan, names);
     let body = quote_spanned! {names.here=>
-        let numbers = #private::Model::numbers(self);
-        let mut system = #private::Model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
+        let numbers = #private::#of_model::numbers(self);
+        let mut system = #private::#of_model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
         #(#estimates)*
     };
     let doc = [
         "Validates all parameters and builds the system.",
         "The error names the first element with a parameter out of its range, the parameter and its value.",
     ];
-    build_functions(model, doc, &body, names)
+    build_functions(model, doc, (&body, plan.spins()), names)
 }
 
-/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system without the last estimates.
-pub(super) fn build_functions(model: &Model, doc: [&str; 2], body: &TokenStream, names: &Names) -> TokenStream {
+/// The trait that a model implements: a rotor is no model of sweeps, since these ask one system.
+fn trait_of_model(plan: &Plan<'_>, names: &Names) -> Ident {
+    Ident::new(if plan.spins() { "RotorModel" } else { "Model" }, names.here)
+}
+
+/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system without the last estimates. A rotor
+/// has it twice.
+pub(super) fn build_functions(
+    model: &Model,
+    doc: [&str; 2],
+    (body, spins): (&TokenStream, bool),
+    names: &Names,
+) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
+    let of_numbers = quote_spanned!(names.here=> #system<#parameter>);
+    let [built, built_as, result] = if spins {
+        [
+            quote_spanned!(names.here=> #private::Rotor<#system>),
+            quote_spanned!(names.here=> #private::Rotor<#of_numbers>),
+            quote_spanned!(names.here=> #private::Rotor::new(system)),
+        ]
+    } else {
+        [quote_spanned!(names.here=> #system), of_numbers, quote_spanned!(names.here=> system)]
+    };
     let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let [what, errors] = doc.map(|line| format!(" {line}"));
     quote_spanned! {names.here=>
@@ -151,7 +175,7 @@ pub(super) fn build_functions(model: &Model, doc: [&str; 2], body: &TokenStream,
             ///
             /// # Errors
             #[doc = #errors]
-            #visibility fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+            #visibility fn build(&self) -> ::core::result::Result<#built, #private::ParameterError> {
                 self.build_as()
             }
 
@@ -161,10 +185,10 @@ pub(super) fn build_functions(model: &Model, doc: [&str; 2], body: &TokenStream,
             /// As `build`.
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
-            ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
+            ) -> ::core::result::Result<#built_as, #private::ParameterError> {
                 #body
                 system.estimates.finish();
-                ::core::result::Result::Ok(system)
+                ::core::result::Result::Ok(#result)
             }
         }
     }
@@ -180,9 +204,17 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
     let (count, numbers) = (numbers.len(), numbers.into_iter().map(|parameter| number(parameter, names)));
     let mut place = 0_usize;
     let elements = plan.elements.iter().map(|element| built(element, &mut place, names));
+    let of_model = trait_of_model(plan, names);
+    let build = (!plan.spins()).then(|| {
+        quote_spanned! {names.here=>
+            fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+                self.build_as()
+            }
+        }
+    });
     quote_spanned! {names.here=>
         // not marked as derived: rustc would be silent about a field that nothing uses
-        impl #private::Model for #name {
+        impl #private::#of_model for #name {
             type System<#parameter: #private::Parameter> = #system<#parameter>;
             type Numbers = [::core::primitive::f64; #count];
 
@@ -204,9 +236,7 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
                 })
             }
 
-            fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
-                self.build_as()
-            }
+            #build
         }
     }
 }

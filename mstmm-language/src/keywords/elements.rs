@@ -81,6 +81,10 @@ pub(crate) const DAMPING: &[&str] = &["loss_factor", "kelvin_voigt_time", "exter
 
 const SPRING: &[&str] = &["damping", "loss_factor", "kelvin_voigt_time"];
 
+/// The parameters of a spring beside a rotor.
+pub(crate) const CROSS: &[&str] = &["cross_stiffness", "cross_damping"];
+const OF_LINE_SPRING: &[&str] = &["damping", "loss_factor", "kelvin_voigt_time", "cross_stiffness", "cross_damping"];
+
 /// The optional parameters of a beam, and those of them that are no damping.
 pub(super) const OF_BEAM: &[&str] = &[
     "shear_stiffness",
@@ -94,6 +98,43 @@ pub(super) const OF_BEAM: &[&str] = &[
 ];
 const UNDAMPED: &[&str] =
     &["shear_stiffness", "rotary_inertia", "axial_force", "foundation_stiffness", "foundation_shear_stiffness"];
+/// The parameters of a beam that spins about its axis, beside its rotary inertia, and its speed, as that of a disc.
+pub(crate) const SPEED: &str = "speed";
+pub(crate) const SPIN: &[&str] = &["polar_inertia_per_length", SPEED];
+
+/// The optional parameters of a beam along a line, and those of one that spins.
+const OF_LINE_BEAM: &[&str] = &[
+    "shear_stiffness",
+    "rotary_inertia",
+    "axial_force",
+    "foundation_stiffness",
+    "foundation_shear_stiffness",
+    "loss_factor",
+    "kelvin_voigt_time",
+    "external_damping",
+    "polar_inertia_per_length",
+    SPEED,
+];
+const SPINNING: &[&str] = &[
+    "shear_stiffness",
+    "rotary_inertia",
+    "axial_force",
+    "foundation_stiffness",
+    "foundation_shear_stiffness",
+    "polar_inertia_per_length",
+    SPEED,
+];
+const DAMPED_SPINNING: &[&str] = &[
+    "shear_stiffness",
+    "rotary_inertia",
+    "axial_force",
+    "foundation_stiffness",
+    "foundation_shear_stiffness",
+    "kelvin_voigt_time",
+    "external_damping",
+    "polar_inertia_per_length",
+    SPEED,
+];
 const SHEAR: &[&str] = &["shear_stiffness", "rotary_inertia"];
 const FOUNDATION: &[&str] = &["foundation_stiffness", "foundation_shear_stiffness"];
 
@@ -144,6 +185,9 @@ const fn about_input(name: &'static str, parameters: &'static [&'static str]) ->
     TypeRow { name, parameters, renamed: &[("inertia_about_input", "inertia")] }
 }
 
+/// A rigid disc on a shaft. It stands in paths alone.
+pub(crate) const DISC: &str = "disc";
+
 /// A beam of the plane with pins at its ends. It stands between places alone.
 pub(crate) const BAR: &str = "bar";
 
@@ -159,8 +203,21 @@ const BEAMS: &[TypeRow] = &[
 ];
 
 #[rustfmt::skip]
+const LINE_BEAMS: &[TypeRow] = &[
+    row("Beam", &[]),
+    row("RayleighBeam", &["rotary_inertia"]),
+    row("BeamColumn", &["axial_force"]),
+    row("FoundationBeam", FOUNDATION),
+    row("TimoshenkoBeam", SHEAR),
+    row("GeneralBeam", UNDAMPED),
+    row("DampedBeam", OF_BEAM),
+    row("SpinningBeam", SPINNING),
+    row("DampedSpinningBeam", DAMPED_SPINNING),
+];
+
+#[rustfmt::skip]
 pub(crate) const ELEMENTS: &[Keyword] = &[
-    keyword("beam", Space::Bending, BENDING, OF_BEAM, BEAMS),
+    keyword("beam", Space::Bending, BENDING, OF_LINE_BEAM, LINE_BEAMS),
     Keyword { wrapper: IN_PLANE, ..keyword("beam", Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
     Keyword { wrapper: IN_PLANE, needs_places: true, ..keyword(BAR, Space::Planar, STRETCHING, OF_BEAM, BEAMS) },
     keyword("tapered_beam", Space::Bending, BENDING, TAPERS, &[row("TaperedBeam", TAPERS)]),
@@ -178,10 +235,11 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
         row("Shaft", &[]),
         row("DampedShaft", DAMPING),
     ]),
-    keyword("spring", Space::Translation, &["stiffness"], SPRING, &[
+    keyword("spring", Space::Translation, &["stiffness"], OF_LINE_SPRING, &[
         row("Spring", &[]),
         row("SpringDamper", &["damping"]),
         row("DampedSpring", SPRING),
+        row("CrossCoupledSpring", OF_LINE_SPRING),
     ]),
     keyword("torsion_spring", Space::Rotation, &["stiffness"], SPRING, &[
         row("TorsionSpring", &[]),
@@ -193,6 +251,7 @@ pub(crate) const ELEMENTS: &[Keyword] = &[
     keyword("mass", Space::Translation, &["mass"], &[], &[row("Mass", &[])]),
     keyword("inertia", Space::Rotation, &["inertia"], &[], &[row("Inertia", &[])]),
     keyword("point_mass", Space::Bending, &["mass"], &["inertia"], &[row("PointMass", &["inertia"])]),
+    keyword(DISC, Space::Bending, &["mass", "inertia", "polar_inertia"], &[SPEED], &[row("Disc", &[SPEED])]),
     Keyword { one_of: INERTIAS, ..keyword("body", Space::Bending, &["mass", "output_x", "centre_x"], &["axial_force"], &[
         row("CentralBody", &["inertia"]),
         about_input("Body", &["inertia_about_input"]),

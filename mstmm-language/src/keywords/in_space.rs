@@ -5,7 +5,7 @@
 
 use super::dimension::Dimension;
 use super::elements::{
-    AXIAL_STIFFNESS, BAR, Keyword, OF_BEAM, OF_PLANAR_HINGE, OF_STRING, STRING, STRINGS, element_of, keyword, row,
+    AXIAL_STIFFNESS, BAR, Keyword, OF_BEAM, OF_PLANAR_HINGE, OF_STRING, SPIN, STRING, STRINGS, element_of, keyword, row,
 };
 use mstmm_plan::{HINGE_PARTS, Space};
 
@@ -123,6 +123,8 @@ impl KeywordInSpace {
         }
         let of_plane = PAIRS.iter().find(|pair| pair.planes.get(part) == Some(&name)).map(|pair| pair.both);
         let own = of_plane.filter(|_| self.has_planes).unwrap_or(name);
-        row.required.iter().chain(row.optional).find(|known| **known == own).copied()
+        // nothing spins in space
+        let optional = row.optional.iter().filter(|name| !SPIN.contains(name));
+        row.required.iter().chain(optional).find(|known| **known == own).copied()
     }
 }

@@ -1,7 +1,7 @@
 //! The keywords of models with locations: what each element is between points.
 
 use super::dimension::Dimension;
-use super::elements::{BAR, STRING, element_of};
+use super::elements::{BAR, CROSS, DISC, SPIN, STRING, element_of};
 use super::in_space::in_space;
 use mstmm_plan::Freedoms;
 
@@ -99,8 +99,11 @@ impl LocatedKeyword {
         // a path of one motion is the same in the plane
         let dimension = if self.role == Role::Path { Dimension::Line } else { dimension };
         let row = element_of(self.name, dimension);
-        let [mut required, optional] = row.map_or([&[][..]; 2], |row| [row.required, row.optional]).map(<[_]>::to_vec);
+        let [mut required, mut optional] =
+            row.map_or([&[][..]; 2], |row| [row.required, row.optional]).map(<[_]>::to_vec);
         required.retain(|name| !(self.spans_places() && *name == "length"));
+        // what spins stands in paths
+        optional.retain(|name| !SPIN.contains(name) && !CROSS.contains(name));
         [required, optional]
     }
 }
@@ -155,6 +158,7 @@ pub(crate) const LOCATED: &[LocatedKeyword] = &[
     LocatedKeyword { tuples: &[("inertia", Tuple::Tensor)], ..keyword("point_mass", Role::PointMass, Freedoms::DISPLACEMENTS) },
     LocatedKeyword { tuples: &[("axis", Tuple::Direction), ("up", Tuple::Direction)], ..keyword("hinge", Role::Joint, BOTH) },
     refused("body", RIGID_BODY),
+    refused(DISC, "point_mass"),
     LocatedKeyword { tuples: UP, ..keyword("beam", Role::Member, BOTH) },
     LocatedKeyword {
         released: Freedoms::RZ,

@@ -1,7 +1,7 @@
 //! What supports, elements and parameters are called elsewhere.
 
 use super::CONNECTION;
-use super::elements::{AXIAL_STIFFNESS, BAR, STRING};
+use super::elements::{AXIAL_STIFFNESS, BAR, SPEED, STRING};
 
 /// What supports are called elsewhere.
 const SUPPORTS: &[(&str, &str)] = &[
@@ -24,6 +24,7 @@ pub(crate) fn meant_support(word: &str) -> Option<&'static str> {
 
 /// What elements are called elsewhere, and the keywords that are meant: of a model those that it has.
 const ELEMENTS: &[(&str, &[&str])] = &[
+    ("bearing", &["spring"]),
     ("bernoulli_beam", &["beam"]),
     ("bushing", &["hinge"]),
     ("cable", &[STRING, "beam"]),
@@ -31,8 +32,10 @@ const ELEMENTS: &[(&str, &[&str])] = &[
     ("column", &["beam"]),
     ("corner", &[CONNECTION]),
     ("dashpot", &["damper"]),
+    ("disk", &["disc"]),
     ("elasticbeamcolumn", &["beam"]),
     ("euler_beam", &["beam"]),
+    ("flywheel", &["disc"]),
     ("frame", &["beam"]),
     ("hooke_joint", &["universal_joint"]),
     ("joint", &[CONNECTION]),
@@ -41,6 +44,7 @@ const ELEMENTS: &[(&str, &[&str])] = &[
     ("node", &[CONNECTION]),
     ("offset", &["rigid_link"]),
     ("rope", &[STRING]),
+    ("rotor", &["disc", "beam"]),
     ("shock_absorber", &["damper"]),
     ("spherical_joint", &["ball_joint"]),
     ("truss", &[BAR, "rod"]),
@@ -86,7 +90,13 @@ const PARAMETERS: &[(&[&str], Meant)] = &[
     (&["gaz", "kgaz"], Same(&["shear_stiffness_z", "shear_stiffness"])),
     (&["ga", "kga"], Same(&["shear_stiffness"])),
     (&["m", "mu", "rhoa"], Same(&["mass", MASS])),
-    (&["ip", "polarinertia"], Same(&["polar_inertia_per_length"])),
+    (&["ip", "polarinertia"], Same(&["polar_inertia", "polar_inertia_per_length"])),
+    (&["kxx", "kyy"], Same(&["stiffness"])),
+    (&["kxy", "kyx"], Same(&["cross_stiffness"])),
+    (&["cxx", "cyy"], Same(&["damping"])),
+    (&["cxy", "cyx"], Same(&["cross_damping"])),
+    (&["id", "diametralinertia"], Same(&["inertia"])),
+    (&["omega", "spin", "spinspeed", "rotationspeed", "rpm"], Same(&["rotation_speed", SPEED])),
     (&["inertiax", "inertiay", "inertiaz", "ixx", "iyy", "izz", "ixy", "iyz", "izx"], Same(&["inertia"])),
     (&["center", "cog", "com", "cg"], Same(&["centre"])),
     (&["vecxz", "orientation", "roll", "rollangle", "localz", "referencevector"], Same(&["up"])),

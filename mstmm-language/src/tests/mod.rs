@@ -10,6 +10,7 @@ mod graph;
 mod meant;
 mod network;
 mod new_words;
+mod rotors;
 mod sections;
 mod types;
 mod words;

@@ -170,8 +170,9 @@ fn an_element_has_its_parameters_and_no_others() {
                                                                  | `rotary_inertia`, `axial_force`,
                                                                  | `foundation_stiffness`,
                                                                  | `foundation_shear_stiffness`,
-                                                                 | `loss_factor`, `kelvin_voigt_time` and
-                                                                 | `external_damping`
+                                                                 | `loss_factor`, `kelvin_voigt_time`,
+                                                                 | `external_damping`,
+                                                                 | `polar_inertia_per_length` and `speed`
                  ^^^^^^ `beam 1` lacks `mass_per_length`
         conn 2 <- spring 3 { stiffness: 1.0, stiffness: 2.0 } <- fixed;
                                              ^^^^^^^^^ `spring 3` gives `stiffness` a second time: remove one

@@ -18,6 +18,12 @@ impl<S: Scalar> BeamParameters<S> {
         self.relation_of(Constants::of(*self).at(lambda_squared), units)
     }
 
+    /// The same with a moment against rotations, in the units of g.
+    pub(super) fn relation_with_moment(&self, lambda_squared: S, moment: S) -> (Relation<S>, Factors<S>) {
+        let units = Units::new(self.bending_stiffness, S::one() / self.length);
+        self.relation_of(Constants::of(*self).with_moment(moment).at(lambda_squared), units)
+    }
+
     fn relation_of(&self, section: SectionAt<S>, units: Units<S>) -> (Relation<S>, Factors<S>) {
         let BeamParameters { length, bending_stiffness, .. } = *self;
         let waves = section.waves.in_form();

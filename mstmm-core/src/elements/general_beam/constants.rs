@@ -53,6 +53,12 @@ impl<S: Scalar> Constants<S> {
         }
     }
 
+    /// The constants with a moment against rotations at a frequency, in the units of g.
+    #[inline]
+    pub(crate) fn with_moment(self, moment: S) -> Self {
+        Constants { tension: self.tension + moment, ..self }
+    }
+
     /// The constants of the equations at λ².
     #[inline]
     pub(crate) fn at(&self, lambda_squared: S) -> SectionAt<S> {

@@ -13,9 +13,9 @@ use num_complex::Complex;
 
 /// The integrals along a beam of products of two motions.
 #[derive(Clone, Copy, Debug)]
-struct Products<S> {
+pub(super) struct Products<S> {
     deflection: S,
-    rotation: S,
+    pub(super) rotation: S,
     moment: S,
     /// Of the forces that shear the sections, `V = -Q - T Y'`.
     shear: S,
@@ -85,11 +85,16 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
     /// `∂L/∂EI = ½ e ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² e (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`,
     /// `∂L/∂r = ½ λ² ∫ Θ²`; e is 1 without damping.
     pub(super) fn gradient(&self, ends: &Ends<S>) -> BeamParameters<S> {
-        let Products { deflection, rotation, moment, shear, slope } = self.products(ends, (self, ends)).map(half);
+        self.gradient_of(self.products(ends, (self, ends)), self.flow(ends, self.g()))
+    }
+
+    /// The same for the products of the motion, and `∂L/∂l`.
+    pub(super) fn gradient_of(&self, products: Products<S>, length: S) -> BeamParameters<S> {
+        let Products { deflection, rotation, moment, shear, slope } = products.map(half);
         let square = self.x.lambda_squared();
         let flexibility = T::one() / self.beam.bending_stiffness;
         BeamParameters {
-            length: self.flow(ends),
+            length,
             bending_stiffness: moment * (flexibility * flexibility) / self.loss,
             mass_per_length: square * deflection,
             shear_flexibility: -shear / self.loss,
@@ -106,7 +111,7 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
         [slope, -(state.q + slope * self.beam.tension())]
     }
 
-    fn products(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> Products<S> {
+    pub(super) fn products(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> Products<S> {
         let (of_one, of_other) = (self.section.waves.decaying(), other.section.waves.decaying());
         let waves = [0, 1].map(|wave| of_one[wave].beside(of_other[wave]));
         let (one, two) = (Inside::new(self, first), Inside::new(other, second));
@@ -122,7 +127,12 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
     /// The forms of two motions: of mass `∫ m Y₁ Y₂ + r Θ₁ Θ₂`, of strain `∫ EI Θ₁' Θ₂' + f V₁ V₂/(e₁ e₂)`, and of what else holds the beam,
     /// `∫ T Y₁' Y₂' + k Y₁ Y₂`.
     pub(super) fn forms(&self, first: &Ends<S>, (other, second): (&Self, &Ends<S>)) -> UndampedForms<S> {
-        let Products { deflection, rotation, moment, shear, slope } = self.products(first, (other, second));
+        self.forms_of(self.products(first, (other, second)), other)
+    }
+
+    /// The same for the products of both motions.
+    pub(super) fn forms_of(&self, products: Products<S>, other: &Self) -> UndampedForms<S> {
+        let Products { deflection, rotation, moment, shear, slope } = products;
         let beam = &self.beam;
         let bending = moment * (T::one() / beam.bending_stiffness) + shear * beam.shear_flexibility;
         UndampedForms {
@@ -133,12 +143,16 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
         }
     }
 
+    /// `g = σ T + r λ²`.
+    pub(super) fn g(&self) -> S {
+        self.x.lambda_squared() * self.beam.rotary_inertia + self.sigma * self.beam.tension()
+    }
+
     /// `∂L/∂l = -½ (M²/(EI e) + f σ/e Q² - 2σ Q Θ - g Θ² + h Y²)`, which is constant along the beam, at the end where its terms are smaller,
     /// since they cancel where waves decay.
-    fn flow(&self, ends: &Ends<S>) -> S {
+    pub(super) fn flow(&self, ends: &Ends<S>, g: S) -> S {
         let beam = &self.beam;
         let square = self.x.lambda_squared();
-        let g = square * beam.rotary_inertia + self.sigma * beam.tension();
         let h = -(square * beam.mass_per_length) - S::from_parameter(beam.foundation_stiffness) - self.external;
         smaller_sum([ends.input, ends.output].map(|state| {
             [

@@ -13,15 +13,24 @@ use std::vec::Vec;
 
 /// Runs laws over all elements of the plane method, and laws of undamped elements over those among them.
 macro_rules! laws_of_steps {
-    (undamped { $($element:ident { $($_field:ident),* })* } damped { $($damped:ident { $($_damped_field:ident),* })* }) => {
+    (
+        undamped { $($element:ident { $($_field:ident),* })* }
+        damped { $($damped:ident { $($_damped_field:ident),* })* }
+        spinning { $($spinning:ident)* } spinning damped { $($spinning_damped:ident)* }
+    ) => {
         macro_rules! for_each_stepping_element {
             ($law:ident) => {
                 $($law::<$crate::elements::$element<f64>>();)*
                 $($law::<$crate::elements::$damped<f64>>();)*
+                $($law::<$crate::elements::$spinning<f64>>();)*
+                $($law::<$crate::elements::$spinning_damped<f64>>();)*
             };
         }
         macro_rules! for_each_undamped_stepping_element {
-            ($law:ident) => { $($law::<$crate::elements::$element<f64>>();)* };
+            ($law:ident) => {
+                $($law::<$crate::elements::$element<f64>>();)*
+                $($law::<$crate::elements::$spinning<f64>>();)*
+            };
         }
         pub(super) use {for_each_stepping_element, for_each_undamped_stepping_element};
     };

@@ -37,7 +37,12 @@ impl<T: Parameter> Dissipation<T> {
     /// The damping as a proof knows it.
     pub(crate) fn numbers(&self) -> DampingNumbers {
         let Dissipation { loss_factor, time, external } = *self;
-        DampingNumbers { loss_factor: loss_factor.words(), time: time.words(), viscous: external.words() }
+        DampingNumbers {
+            loss_factor: loss_factor.words(),
+            time: time.words(),
+            viscous: external.words(),
+            cross: [[0.0; 2]; 2],
+        }
     }
 
     /// Adds what keeps searches of eigenvalues away to the estimates: the loss factor.

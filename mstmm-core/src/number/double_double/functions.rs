@@ -299,6 +299,11 @@ impl Frequency<f64> for DoubleDouble {
     }
 
     #[inline]
+    fn signed_omega(self) -> Self {
+        self
+    }
+
+    #[inline]
     fn from_parameter(parameter: f64) -> Self {
         DoubleDouble::from_f64(parameter)
     }
@@ -327,6 +332,11 @@ macro_rules! complex_frequency {
 
             #[inline]
             fn omega(self) -> Self {
+                Frequency::<DoubleDouble>::omega(self)
+            }
+
+            #[inline]
+            fn signed_omega(self) -> Self {
                 Frequency::<DoubleDouble>::omega(self)
             }
 

@@ -1,7 +1,7 @@
 //! A short piece of a general uniform beam over `y1, θ1 l, y2, θ2 l`, over `EI/l³`, as [the undamped one](crate::proof::general_bending) with complex
 //! parameters: `EI e`, `f/e` and `k + c_e λ`.
 
-use crate::element::{BeamNumbers, DampingNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, SpinNumbers};
 use crate::number::Scalar;
 use crate::number::constants::RECIPROCAL_FACTORIALS;
 use crate::proof::ball::Ball;
@@ -49,15 +49,20 @@ impl<N: Level<Word = f64>> Summed for ComplexBall<N> {
 }
 
 impl<N: Level<Word = f64>> Piece<N> {
-    pub(crate) fn of(at: &Frequency<N>, (beam, damping): (&BeamNumbers, &DampingNumbers), length: Ball<N>) -> Self {
+    pub(crate) fn of(
+        at: &Frequency<N>,
+        (beam, damping, spin): (&BeamNumbers, &DampingNumbers, &SpinNumbers),
+        length: Ball<N>,
+    ) -> Self {
         let one = ComplexBall::of(1.0);
         let parameter = ComplexBall::parameter;
-        let loss = at.factor(damping);
+        let loss = at.factor_of(damping, spin);
         let stiffness = loss * Ball::of_pair(beam.bending_stiffness);
         let flexibility =
             if beam.shears() { (loss * Ball::of_pair(beam.shear_stiffness)).inverse() } else { ComplexBall::of(0.0) };
         let tension = parameter(&beam.axial_force) + parameter(&beam.shear_layer);
         let inertia = at.square * Ball::of_pair(beam.rotary_inertia);
+        let inertia = if spin.is_none() { inertia } else { inertia + at.moment(spin) };
         let square = length * length;
         let scale = stiffness.inverse() * square;
         let sigma = (one + tension * flexibility).inverse();

@@ -1,6 +1,6 @@
 //! The dynamic stiffness of a model at complex frequencies, in balls: parts are added, no variable is eliminated.
 
-use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, TaperedNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, SpinNumbers, TaperedNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::disc::bending::bending;
 use crate::proof::disc::complex::ComplexBall;
@@ -209,6 +209,12 @@ impl<N: Level<Word = f64, Alone = N>> Join for Matrix<'_, N> {
         self.add_all(&tensor.map(|entry| self.at.square * entry), &rows);
     }
 
+    fn add_spin(&mut self, spin: &SpinNumbers, row: &[Term<N>]) {
+        if !spin.is_none() {
+            self.add_all(&[self.at.moment(spin)], &[row]);
+        }
+    }
+
     fn add_line(&mut self, numbers: (&LineNumbers, &DampingNumbers), length: Ball<N>, rows: [&[Term<N>]; 2]) {
         let [_, y] = self.centre.of_line(numbers, length);
         let middle = line(y).is_beside_pole().then(|| Row::<N, 1>::of(self.enter()));
@@ -226,8 +232,14 @@ impl<N: Level<Word = f64, Alone = N>> Join for Matrix<'_, N> {
         }
     }
 
-    fn add_bending(&mut self, beam: (&BeamNumbers, &DampingNumbers), length: Ball<N>, rows: [&[Term<N>]; 4]) {
-        if beam.0.bends_alone() {
+    fn add_bending(
+        &mut self,
+        (numbers, damping, spin): (&BeamNumbers, &DampingNumbers, &SpinNumbers),
+        length: Ball<N>,
+        rows: [&[Term<N>]; 4],
+    ) {
+        let beam = (numbers, damping);
+        if numbers.bends_alone() && spin.is_none() {
             let [_, x] = self.centre.of_beam(beam, length);
             if !bending(x).is_beside_pole() {
                 return self.add_plain(beam, length, rows);
@@ -235,14 +247,14 @@ impl<N: Level<Word = f64, Alone = N>> Join for Matrix<'_, N> {
             let parts = CUT.map(|part| length * Ball::of(part));
             return self.in_parts(2, rows, &mut |matrix, part, rows| matrix.add_plain(beam, parts[part], rows));
         }
-        let count = Piece::of(&self.centre, beam, length).count();
+        let count = Piece::of(&self.centre, (numbers, damping, spin), length).count();
         if count.is_nan() || count >= MOST_PIECES {
             self.failure = Some(Failure::NotEnclosed);
             return;
         }
         let count = count as usize;
         let part = length * Ball::of(count as f64).inverse();
-        let piece = Piece::of(&self.at, beam, part);
+        let piece = Piece::of(&self.at, (numbers, damping, spin), part);
         let member = piece.stiffness();
         self.in_parts(count, rows, &mut |matrix, _, rows| {
             matrix.add_member(&member, piece.factor, Some(part), &rows);

@@ -1,6 +1,7 @@
 //! What a member is at a complex frequency: its dynamic stiffness, and the minor whose zeros are its frequencies with both ends held.
 
-use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, Exact, LineNumbers, SpinNumbers};
+use crate::proof::adding::momentum;
 use crate::proof::ball::Ball;
 use crate::proof::disc::complex::ComplexBall;
 use crate::proof::level::Level;
@@ -66,14 +67,33 @@ impl<N: Level<Word = f64>> Frequency<N> {
         if damping.time == [0.0; 2] { loss } else { loss * (one + self.times(&damping.time)) }
     }
 
-    /// A stiffness with damping: of its material, and of a dashpot beside it.
+    /// The same of a material that turns at a speed: λ is `λ - iΩ` for it.
+    pub(crate) fn factor_of(&self, damping: &DampingNumbers, spin: &SpinNumbers) -> ComplexBall<N> {
+        if spin.is_none() || damping.time == [0.0; 2] {
+            return self.factor(damping);
+        }
+        let turning = self.lambda - ComplexBall::parameter(&spin.speed).times_i();
+        ComplexBall::of(1.0) + turning * Ball::of_pair(damping.time)
+    }
+
+    /// A stiffness with damping: of its material, of a dashpot beside it, and across it.
     pub(crate) fn spring(&self, stiffness: &Exact, damping: &DampingNumbers) -> ComplexBall<N> {
-        self.factor(damping) * Ball::of_pair(*stiffness) + self.times(&damping.viscous)
+        let along = self.factor(damping) * Ball::of_pair(*stiffness) + self.times(&damping.viscous);
+        if damping.cross == [[0.0; 2]; 2] {
+            return along;
+        }
+        let [stiffness, viscous] = &damping.cross;
+        along - (ComplexBall::parameter(stiffness) + self.times(viscous)).times_i()
     }
 
     /// `m λ² + c_e λ + k`.
     pub(crate) fn load(&self, mass: &Exact, damping: &DampingNumbers, foundation: &Exact) -> ComplexBall<N> {
         self.square * Ball::of_pair(*mass) + self.times(&damping.viscous) + ComplexBall::parameter(foundation)
+    }
+
+    /// `H ω` of the angular momentum of what spins, with `ω = -iλ`.
+    pub(crate) fn moment(&self, spin: &SpinNumbers) -> ComplexBall<N> {
+        -(self.lambda.times_i() * momentum::<N>(spin))
     }
 
     /// `H e/l` of a line and `(mλ² + k) l²/(H e)`.

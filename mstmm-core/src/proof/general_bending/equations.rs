@@ -13,7 +13,7 @@ pub(crate) struct Equations<N: Number> {
     pub(crate) sigma: Ball<N>,
     /// `f σ EI/l²`.
     pub(crate) tau: Ball<N>,
-    /// `(σ T - r ω²) l²/EI`.
+    /// `(σ T - r ω² + H ω) l²/EI`.
     pub(crate) g: Ball<N>,
     /// `(m ω² - k) l⁴/EI`.
     pub(crate) h: Ball<N>,
@@ -40,7 +40,7 @@ pub(crate) type Roots<N> = [Ball<N>; 3];
 
 impl<N: Level> Equations<N> {
     #[inline(always)]
-    pub(crate) fn of(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>) -> Self {
+    pub(crate) fn of(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>, moment: Option<Ball<N>>) -> Self {
         let [stiffness, mass, rotary, axial, layer, foundation] = [
             beam.bending_stiffness,
             beam.mass_per_length,
@@ -52,6 +52,8 @@ impl<N: Level> Equations<N> {
         .map(Ball::<N>::of_pair);
         let flexibility = if beam.shears() { Ball::of_pair(beam.shear_stiffness).inverse() } else { Ball::of(0.0) };
         let (one, tension, inertia) = (Ball::of(1.0), axial + layer, rotary * square);
+        // what holds against a rotation adds to g as what its inertia takes from it
+        let inertia = moment.map_or(inertia, |moment| inertia - moment);
         let length_squared = length * length;
         let scale = length_squared * stiffness.inverse();
         let sigma = (one + tension * flexibility).inverse();

@@ -295,7 +295,7 @@ fn arguments_may_be_balls() {
             [case.length, case.square].map(|number: f64| [number, number.abs() * 1e-12]);
         let [length, square] =
             [(length, length_bound), (square, square_bound)].map(|(mid, rad)| Ball { mid: TwoWords::of(mid), rad });
-        let General { member, .. } = general_bending(&case.section, length, square);
+        let General { member, .. } = general_bending(&case.section, length, square, None);
         case.length += (2.0 * random.next() - 1.0) * length_bound;
         case.square += (2.0 * random.next() - 1.0) * square_bound;
         let truth = case.held();
@@ -318,6 +318,7 @@ fn lanes_do_not_see_each_other() {
             &case.section,
             Ball::of(case.length),
             Ball::exactly(TwoWords::of_word(Four(squares))),
+            None,
         );
         for (lane, square) in squares.into_iter().enumerate() {
             let alone = Case { square, ..case }.at::<TwoWords<f64>>();

@@ -32,7 +32,7 @@ pub(super) struct Evaluation<'a, Y: System + ?Sized> {
 
 impl<'a, Y: System + ?Sized> Evaluation<'a, Y> {
     pub(super) fn new(system: &'a Y, estimates: &FrequencyEstimates) -> Self {
-        let (lowest_exponent, is_real) = (estimates.lowest_exponent(), !estimates.has_loss());
+        let (lowest_exponent, is_real) = (estimates.lowest_exponent(), estimates.have_images());
         Evaluation { system, lowest_exponent, is_real, evaluations: 0, is_doubtful: false }
     }
 

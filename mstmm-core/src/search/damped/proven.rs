@@ -37,7 +37,7 @@ pub(super) fn prove_all<Y: System + ?Sized>(system: &Y, roots: &mut [Eigenvalue<
     if !cfg!(feature = "proof") || !is_double {
         return;
     }
-    let have_images = !system.frequency_estimates().has_loss();
+    let have_images = system.frequency_estimates().have_images();
     // those of the upper half plane are last
     for place in (0..roots.len()).rev() {
         let root = roots[place];

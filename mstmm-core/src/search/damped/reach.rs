@@ -25,12 +25,13 @@ where
     Y: System + Characteristic<Dual<Complex<T>>> + Characteristic<Dual<Complex<T::Extended>>> + ?Sized,
 {
     /// A rectangle symmetric to the real axis that holds all eigenvalues up to a modulus. It reaches little to the right, since
-    /// motions of passive systems do not grow; where eigenvalues have no mirror images it reaches as little below the axis, so that it holds
+    /// motions of passive systems do not grow, which those of rotors may; where eigenvalues have no mirror images it reaches as little below the axis, so that it holds
     /// those at zero.
     pub(super) fn square(&self, radius: T) -> Rectangle<T> {
         let little = radius * T::from_f64(0.0625);
+        let right = if self.estimates.is_whirl() { radius } else { little };
         let low = if self.known.have_images { -radius } else { -little };
-        Rectangle { left: -radius, right: little, low, high: radius }
+        Rectangle { left: -radius, right, low, high: radius }
     }
 
     /// The largest radius of such a rectangle, and the error of a search that would have to go on; `None` where nothing limits it.
@@ -51,26 +52,31 @@ where
         let (left, right, low, high) = (*region.re.start(), *region.re.end(), *region.im.start(), *region.im.end());
         let mut rectangle = Rectangle { left, right, low, high };
         if !(self.known.have_images || low > T::zero()) {
-            return Err(SearchError::LossFactor { im: low.to_f64() });
+            let im = low.to_f64();
+            let is_whirl = self.estimates.is_whirl();
+            return Err(if is_whirl { SearchError::OtherWhirl { im } } else { SearchError::LossFactor { im } });
         }
         if low <= T::zero() && high >= T::zero() {
             rectangle.high = larger(-low, high);
             rectangle.low = -rectangle.high;
         }
         match self.estimates.singularities() {
-            Some(singularities) if comes_near(&rectangle, singularities) => Err(accumulation(singularities)),
+            Some(singularities) if comes_near(&rectangle, singularities, self.estimates.are_off_axis()) => {
+                Err(accumulation(singularities))
+            }
             _ => Ok(rectangle),
         }
     }
 }
 
-/// Whether a rectangle, as far as it may grow, comes near a point between two singularities.
-fn comes_near<T: Real>(rectangle: &Rectangle<T>, [first, last]: [f64; 2]) -> bool {
+/// Whether a rectangle, as far as it may grow, comes near a point between two singularities, which may be off the real axis.
+fn comes_near<T: Real>(rectangle: &Rectangle<T>, [first, last]: [f64; 2], are_off_axis: bool) -> bool {
     let Rectangle { left, right, low, high } = rectangle.grown(GROWTH);
     let [left, right, low, high] = [left, right, low, high].map(T::to_f64);
     // of the farthest point in reach
     let height = -left.max(last) * NEAR;
-    left <= first * (1.0 - NEAR) && right >= last * (1.0 + NEAR) && low <= height && high >= -height
+    let is_high_enough = are_off_axis || low <= height && high >= -height;
+    left <= first * (1.0 - NEAR) && right >= last * (1.0 + NEAR) && is_high_enough
 }
 
 /// The error of a search that comes near singularities.

@@ -39,7 +39,7 @@ where
         let precision = <Y::Parameter as Scalar>::EPSILON;
         EigenvalueSearch {
             evaluation: Evaluation::new(system, &estimates),
-            known: KnownRoots::new(!estimates.has_loss()),
+            known: KnownRoots::new(estimates.have_images()),
             estimates,
             smallest,
             precision,

@@ -7,8 +7,8 @@ use super::{dimension, in_space};
 use crate::ast::{Coordinates, Element, Kind, Model, Node, Parameter, Support, place_of, tuple_parts};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ABOUT, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING, Tuple, freedom_of, located_of,
-    old_word,
+    ABOUT, DISC, Dimension, FREEDOMS, HELD, LOCATED, LocatedKeyword, RIGID_LINK, Role, STRING, Tuple, freedom_of,
+    located_of, old_word,
 };
 use std::collections::BTreeSet;
 use syn::ext::IdentExt;
@@ -154,6 +154,7 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 /// Why a keyword has no place in a model.
 fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match row.role {
+        Role::Unknown if row.name == DISC => "stands in a line of paths without places",
         Role::Unknown => "has its points by offsets, which places replace",
         Role::Joint if dimension == Dimension::Space => "is a joint of the plane",
         Role::Joint if row.is_of_space() => "is a joint of space",

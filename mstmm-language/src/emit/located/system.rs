@@ -72,7 +72,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         "Validates all places and parameters and builds the system.",
         "The error names the first place or element with a number out of its range, and the number.",
     ];
-    build_functions(model, doc, &body, names)
+    build_functions(model, doc, (&body, false), names)
 }
 
 /// A built member, with the numbers from a place on: `member_3: build_member::<InPlane<Beam<T>>>(InPlane { .. }, name)?`.

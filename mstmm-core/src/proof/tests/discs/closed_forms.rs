@@ -48,7 +48,12 @@ impl Row {
         };
         let parts = (0..1 + random.below(3)).map(|_| (1 + random.below(64)) as f64 / 256.0).collect();
         let mut choose = |number: f64| if random.below(3) == 0 { pair(0.0) } else { pair(number) };
-        let damping = DampingNumbers { time: choose(time), viscous: choose(viscous), loss_factor: choose(0.03) };
+        let damping = DampingNumbers {
+            time: choose(time),
+            viscous: choose(viscous),
+            loss_factor: choose(0.03),
+            ..DampingNumbers::default()
+        };
         let foundation_stiffness = if kind == Kind::Member { pair(0.0) } else { choose(foundation[0]) };
         let axial_stiffness = if kind == Kind::Beam { pair(0.0) } else { axial_stiffness };
         let beam = BeamNumbers {

@@ -3,7 +3,7 @@
 //! `y = e^(kx)` solves the equation of a beam for four numbers k. With the displacements that it has at both ends the stiffness has to give its forces:
 //! no function of the stiffness is in that.
 
-use crate::element::{BeamNumbers, DampingNumbers, LineNumbers};
+use crate::element::{BeamNumbers, DampingNumbers, LineNumbers, SpinNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::disc::bending::bending;
 use crate::proof::disc::complex::ComplexBall;
@@ -135,7 +135,15 @@ fn parameters(random: &mut Random) -> (BeamNumbers, DampingNumbers) {
         shear_layer: some(1.0, 3),
         foundation_stiffness: some(3.0, 3),
     };
-    (beam, DampingNumbers { loss_factor: some(0.5, 3), time: some(0.3, 3), viscous: some(2.0, 3) })
+    (
+        beam,
+        DampingNumbers {
+            loss_factor: some(0.5, 3),
+            time: some(0.3, 3),
+            viscous: some(2.0, 3),
+            ..DampingNumbers::default()
+        },
+    )
 }
 
 /// The pieces of general beams by `Y' = σΘ - τQ`, `Θ' = M`, `M' = gΘ + σQ`, `Q' = hY` with the parameters themselves.
@@ -146,7 +154,7 @@ fn check_pieces<N: Exactly + Level<Word = f64>>(runs: usize) {
         let (beam, damping) = parameters(&mut random);
         let lambda = argument::<N>(&mut random, 0.4);
         let length = 0.2 + 0.8 * random.unit();
-        let piece = Piece::of(&Frequency::new(lambda), (&beam, &damping), Ball::of(length));
+        let piece = Piece::of(&Frequency::new(lambda), (&beam, &damping, &SpinNumbers::NONE), Ball::of(length));
         let member = piece.stiffness();
         for lambda in &points(lambda) {
             let parameter = |pair: [f64; 2]| ExactComplex::of(pair[0], 0.0);

@@ -154,7 +154,7 @@ impl Case {
     }
 
     pub(crate) fn at<N: Level>(&self) -> General<N> {
-        general_bending(&self.section, Ball::of(self.length), Ball::of(self.square))
+        general_bending(&self.section, Ball::of(self.length), Ball::of(self.square), None)
     }
 }
 

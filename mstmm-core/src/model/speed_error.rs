@@ -1,0 +1,62 @@
+//! Errors of searches for speeds.
+
+use crate::model::{ParameterError, SearchError};
+use core::fmt;
+
+/// A search for critical speeds, or for a threshold of stability, that cannot start or cannot return all it found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SpeedError {
+    /// The rotor at a speed has a parameter out of its range.
+    Parameter {
+        /// The speed [rad/s].
+        speed: f64,
+        /// What is wrong.
+        error: ParameterError,
+    },
+    /// The search found no answer at a rotor of the range.
+    Search(SearchError),
+    /// The order is not a positive number.
+    Order {
+        /// The order.
+        order: f64,
+    },
+    /// A motion grows at the first speed of a range already.
+    Grows {
+        /// The speed [rad/s].
+        speed: f64,
+    },
+    /// Fewer frequencies are below the line of the order as the speed grows: bearings that stiffen with the speed have no critical speeds that counts
+    /// could certify.
+    Falls {
+        /// Speed from which on fewer frequencies are below [rad/s].
+        speed: f64,
+    },
+}
+
+impl fmt::Display for SpeedError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SpeedError::Parameter { speed, error } => write!(f, "at the speed {speed} rad/s: {error}"),
+            SpeedError::Search(error) => write!(f, "{error}"),
+            SpeedError::Order { order } => write!(f, "the order of a critical speed is a positive number, not {order}"),
+            SpeedError::Grows { speed } => {
+                write!(f, "a motion grows at the first speed already, {speed} rad/s: begin below the threshold")
+            }
+            SpeedError::Falls { speed } => {
+                write!(
+                    f,
+                    "fewer frequencies are below the line of the order beyond the speed {speed} rad/s: the bearings stiffen with the speed"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for SpeedError {}
+
+impl From<SearchError> for SpeedError {
+    fn from(error: SearchError) -> Self {
+        SpeedError::Search(error)
+    }
+}

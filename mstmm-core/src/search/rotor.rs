@@ -1,0 +1,70 @@
+//! A rotor: a system whose shafts and discs spin, seen from both whirls.
+
+use crate::model::ParameterError;
+use crate::number::Parameter;
+use crate::pass::characteristic::System;
+
+/// The sense in which the bending of a rotor whirls.
+///
+/// A shaft on isotropic bearings moves by `u = v + iw = U e^{iωt}`: its axis whirls at ω in the sense of a positive speed, or against it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whirl {
+    /// In the sense of positive speeds.
+    Forward,
+    /// Against it.
+    Backward,
+}
+
+/// A system with parts that spin. `system!` implements it where an element names its speed.
+pub trait Spinning: System {
+    /// The system as the other whirl sees it: all its speeds have the other sign.
+    #[must_use]
+    fn turned_round(self) -> Self;
+}
+
+/// A built rotor on isotropic bearings. Ask one of its [whirls](Rotor::whirl), which is a system like others.
+///
+/// Both bending planes of such a rotor are one, of complex displacements `u = v + iw` and rotations `θ = θ_z - iθ_y`, so that gyroscopic moments
+/// are real. Each whirl has a dynamic stiffness `K - ω²M + ωΩG` with real numbers and `ω > 0`, G with the sign of the whirl.
+#[derive(Clone, Debug)]
+pub struct Rotor<Y> {
+    forward: Y,
+    backward: Y,
+}
+
+impl<Y: Spinning + Clone> Rotor<Y> {
+    /// A rotor, given its system in forward whirl.
+    #[doc(hidden)]
+    pub fn new(forward: Y) -> Self {
+        Rotor { backward: forward.clone().turned_round(), forward }
+    }
+}
+
+impl<Y> Rotor<Y> {
+    /// The rotor as one whirl sees it: a system with proven frequencies, counts, shapes, exact responses and sensitivities.
+    ///
+    /// Its loads and entries are complex amplitudes of `u = v + iw`. A force of 1 turns with the whirl, as that of an unbalance does with forward whirl.
+    /// It has no sums over modes, [`modal_response`](crate::ModalAnalysis::modal_response): these need the modes of both whirls.
+    pub fn whirl(&self, whirl: Whirl) -> &Y {
+        match whirl {
+            Whirl::Forward => &self.forward,
+            Whirl::Backward => &self.backward,
+        }
+    }
+}
+
+/// The parameters of a rotor, from which it is built over one type of number or another. `system!` implements it.
+#[doc(hidden)]
+pub trait RotorModel {
+    /// The system of a whirl over parameters of a type.
+    type System<T: Parameter>;
+
+    /// Room for the parameters of all elements.
+    type Numbers: AsRef<[f64]>;
+
+    /// The parameters of all elements.
+    fn numbers(&self) -> Self::Numbers;
+
+    /// The system of forward whirl of such numbers, without estimates.
+    fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<Self::System<T>, ParameterError>;
+}

@@ -1,0 +1,10 @@
+//! Rotors: exact values, closed forms, polynomial elements, laws.
+
+mod closed_forms;
+mod exact;
+#[expect(dead_code, reason = "some of what is random")]
+#[path = "../support/random.rs"]
+mod numbers;
+mod polynomial_elements;
+mod random;
+mod shafts;
