@@ -1,4 +1,5 @@
 //! Closed forms of rotors.
+#![expect(clippy::panic, reason = "a rotor that is refused fails the test")]
 
 use core::f64::consts::PI;
 use mstmm::prelude::*;

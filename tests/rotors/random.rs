@@ -1,4 +1,5 @@
 //! Random rotors: counts and critical speeds beside polynomial elements.
+#![expect(clippy::panic, reason = "a rotor that is refused fails the test")]
 
 use crate::numbers::Random;
 use crate::polynomial_elements::Shafts;

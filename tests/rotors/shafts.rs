@@ -1,4 +1,5 @@
 //! Rotors as sketches of some topologies, each beside its stations.
+#![expect(clippy::expect_used, reason = "a rotor that is refused fails the test")]
 
 use crate::numbers::Random;
 use crate::polynomial_elements::{Disc, Member, Shafts};
