@@ -6,9 +6,9 @@
 pub use mstmm_core::{
     Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree,
     EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError,
-    MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, PlaneEntry, PlaneFrequency,
+    MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit, PlaneEntry, PlaneFrequency,
     PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, Skew, SpacePoint,
-    State, SystemStates, Tree, mac,
+    State, SystemStates, Tree, WhirlAnalysis, mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.

@@ -44,6 +44,7 @@ pub use answer::network::sensitivity::PlaneChain;
 pub use answer::network::shape::{PlaneShape, PlaneShapes};
 pub use answer::network::sketch::Sketch;
 pub use answer::network::states::PlaneStates;
+pub use answer::orbit::{Orbit, WhirlAnalysis};
 pub use answer::questions::ModalAnalysis;
 pub use answer::response_curve::Sample;
 pub use answer::root::Root;

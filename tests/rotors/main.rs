@@ -1,6 +1,8 @@
 //! Rotors: exact values, closed forms, polynomial elements, laws.
 
+mod answers;
 mod closed_forms;
+mod damped;
 mod exact;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]

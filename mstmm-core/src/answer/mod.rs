@@ -16,6 +16,7 @@ pub(crate) mod modal_response;
 pub(crate) mod mode_shape;
 pub(crate) mod network;
 pub(crate) mod of_tree;
+pub(crate) mod orbit;
 pub(crate) mod questions;
 pub(crate) mod repeated_root;
 pub(crate) mod response_curve;
