@@ -43,6 +43,7 @@
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
 //! | a frame of the plane with closed loops, sketched by the places of its points | [`system!`](crate::system#models-with-locations) |
 //! | a tree whose size is known when the program runs; such a frame | [`list`]; [`network`] |
+//! | a rotor: both whirls, critical speeds, unbalance | [`Rotor::whirl`](search::Rotor::whirl), [`critical_speeds`](search::critical_speeds), [`campbell`](search::campbell), [`unbalance`](motion::WhirlAnalysis::unbalance) |
 //! | a picture of a model, of its modes and internal forces | the package `mstmm-drawing` |
 //! | what stands where in a frame, and in which path of a tree | [`sketch`], [`sketch` of trees](motion::ModalAnalysis::sketch) |
 //! | an element of one's own | [`element`] |

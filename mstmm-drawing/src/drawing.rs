@@ -10,6 +10,7 @@ use crate::shape::{Number, Shape};
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
 use crate::view::View;
+use mstmm_core::Whirl;
 use std::fmt;
 use std::path::Path;
 
@@ -26,6 +27,8 @@ pub struct Drawing<M> {
     /// A force with its diagrams, and its unit on the paper.
     pub(crate) force: Option<(Force, Vec<Diagram>, f64)>,
     ordinates: Ordinates,
+    /// The whirl of which the motion is, where its orbits are drawn.
+    pub(crate) whirl: Option<Whirl>,
     /// Whether points and parts have their labels.
     pub(crate) is_labelled: bool,
 }
@@ -72,6 +75,7 @@ impl<M> Drawing<M> {
             motion: None,
             force: None,
             ordinates: Ordinates::None,
+            whirl: None,
             is_labelled: true,
         })
     }
@@ -86,6 +90,32 @@ impl<M> Drawing<M> {
         let reach = reach(&self.figure, &motion);
         self.motion = Some((motion, reach));
         Ok(self)
+    }
+
+    /// The drawing with the orbits of a mode of a rotor: each point goes round its circle from the dot on, in the sense of the whirl.
+    ///
+    /// ```
+    /// use mstmm::prelude::*;
+    /// use mstmm_drawing::Drawing;
+    ///
+    /// system! {
+    ///     struct Overhung { speed: f64 }
+    ///     fixed -> beam 1 {
+    ///         length: 0.6, bending_stiffness: 6e4, mass_per_length: 15.0, rotary_inertia: 2.4e-3, polar_inertia_per_length: 4.8e-3, speed
+    ///     } -> disc 2 { mass: 30.0, inertia: 0.3, polar_inertia: 0.6, speed } -> free;
+    /// }
+    ///
+    /// let rotor = Overhung { speed: 300.0 }.build()?;
+    /// let forward = rotor.whirl(Whirl::Forward);
+    /// let shape = forward.mode_shape(&forward.first_frequencies::<1>()?[0])?;
+    /// let drawing = Drawing::of(forward)?.mode(&shape)?.orbits(Whirl::Forward);
+    /// assert!(drawing.to_string().contains("orbit"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn orbits(mut self, whirl: Whirl) -> Self {
+        self.whirl = Some(whirl);
+        self
     }
 
     /// The drawing with an internal force of all beams over it, of a mode shape or the states of a response: of a complex motion its real part.

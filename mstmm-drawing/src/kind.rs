@@ -9,6 +9,10 @@ pub(crate) enum Kind {
     Beam {
         on_foundation: bool,
     },
+    /// A shaft that spins, with its radius on the paper.
+    Spinning(f64),
+    /// A disc on a shaft, with its radius on the paper.
+    Disc(f64),
     /// A beam in space with ball joints at both ends.
     Bar,
     Rod,
@@ -53,6 +57,8 @@ impl Kind {
             "mass" => Kind::Mass,
             "inertia" => Kind::Inertia,
             "pointmass" => Kind::PointMass,
+            "disc" => Kind::Disc(0.0),
+            "spinningbeam" | "dampedspinningbeam" => Kind::Spinning(0.0),
             "lever" | "levercolumn" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
             _ if has("body") => Kind::Body,
@@ -63,6 +69,15 @@ impl Kind {
             _ if has("damper") => Kind::Damper,
             _ if has("spring") => Kind::Spring,
             _ => Kind::Other,
+        }
+    }
+
+    /// The symbol with the radius of a round part on the paper.
+    pub(crate) fn of_radius(self, radius: f64) -> Kind {
+        match self {
+            Kind::Spinning(_) => Kind::Spinning(radius),
+            Kind::Disc(_) => Kind::Disc(radius),
+            other => other,
         }
     }
 
@@ -86,6 +101,7 @@ impl Kind {
         matches!(
             self,
             Kind::Beam { .. }
+                | Kind::Spinning(_)
                 | Kind::Bar
                 | Kind::Rod
                 | Kind::Shaft
@@ -100,7 +116,14 @@ impl Kind {
     pub(crate) fn is_at_a_point(self) -> bool {
         matches!(
             self,
-            Kind::PointMass | Kind::Mass | Kind::Inertia | Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge | Kind::Tie
+            Kind::PointMass
+                | Kind::Disc(_)
+                | Kind::Mass
+                | Kind::Inertia
+                | Kind::Pin
+                | Kind::Slider(_)
+                | Kind::ElasticHinge
+                | Kind::Tie
         ) || self.is_joint()
     }
 }

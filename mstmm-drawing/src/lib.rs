@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 mod anchors;
+mod campbell;
+mod chart;
 mod depth;
 mod diagram;
 mod diagram_in_space;
@@ -17,6 +19,7 @@ mod labels;
 mod lanes;
 mod loose;
 mod motion;
+mod orbits;
 mod outline;
 mod path_places;
 mod picture;
@@ -38,6 +41,7 @@ mod view;
 mod write;
 mod write_in_space;
 
+pub use campbell::CampbellDiagram;
 pub use diagram::Force;
 pub use drawing::Drawing;
 pub use error::DrawingError;

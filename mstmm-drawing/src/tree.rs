@@ -138,7 +138,8 @@ fn beside<M>(figure: &mut Figure<M>, ends: [usize; 2], beside: Option<Beside>, s
 
 fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize; 2], deflection: Deflection) {
     let (DrawnPart::Element { kind: word, extent }, Some(label)) = (step.part, step.label) else { return };
-    let (kind, Deflection { along, is_rotation }) = (Kind::of(word), deflection);
+    let (kind, Deflection { along, is_rotation }) =
+        (Kind::of(word).of_radius(extent.radius * figure.scale), deflection);
     let mut ends = Vec::from(ends);
     if let Some(centre) = extent.centre {
         let at = figure.anchors[ends[0]].at;

@@ -6,12 +6,16 @@ use crate::figure::label_of;
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
 use crate::labels::{Wanted, placed};
+use crate::motion::Motion;
+use crate::orbits::orbits;
 use crate::outline::{Outline, number};
 use crate::picture::{Picture, bounds, element, group, group_of_labels, of_motion, pair, path};
 use crate::pose::Pose;
+use crate::shape::Number;
 use crate::supports::Standing;
 use crate::triad::triad;
 use crate::vector::between;
+use mstmm_core::Whirl;
 use std::fmt;
 use svg::Node;
 use svg::node::Text;
@@ -135,6 +139,9 @@ impl Picture {
     /// The model in its motion: still, and moving where the reader has nothing against it.
     fn add_mode<M>(&mut self, drawing: &Drawing<M>) {
         let Some((motion, reach)) = &drawing.motion else { return };
+        if let Some(whirl) = drawing.whirl {
+            return self.add_orbits(drawing, motion, *reach, whirl);
+        }
         let poses = Pose::moments(&drawing.figure, motion, *reach);
         let (mut still, mut moving) = (element("g", "mode still"), element("g", "mode moving"));
         for index in order(drawing) {
@@ -145,6 +152,22 @@ impl Picture {
             moving.append(lively);
         }
         self.groups.extend([still, moving]);
+    }
+
+    /// The shape of a rotor, and the orbits on which its points go round.
+    fn add_orbits<M>(&mut self, drawing: &Drawing<M>, motion: &Motion, reach: Number, whirl: Whirl) {
+        let pose = Pose::moved(&drawing.figure, motion, reach);
+        let mut all = element("g", "mode");
+        for index in order(drawing) {
+            let part = &drawing.figure.parts[index];
+            let mut group = group(&part.name, part.word);
+            self.draw(&mut group, pose.inks(&drawing.figure, index));
+            all.append(group);
+        }
+        let mut circles = element("g", "orbits");
+        self.draw(&mut circles, orbits(&drawing.figure, motion, reach, whirl));
+        all.append(circles);
+        self.groups.push(all);
     }
 }
 

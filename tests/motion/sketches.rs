@@ -38,9 +38,9 @@ fn steps<Y: DrawnTree>(tree: &Y) -> Vec<Told> {
 #[test]
 fn a_tree_tells_its_names_lengths_and_arms() {
     let bending = Freedoms::Y.union(Freedoms::RZ);
-    let beam = Some(("Beam", Extent { output: [1.25, 0.0], centre: None }));
-    let body = Some(("Body", Extent { output: [0.5, 0.0], centre: Some([-0.125, 0.0]) }));
-    let spring = Some(("Spring", Extent { output: [0.0, 0.0], centre: None }));
+    let beam = Some(("Beam", Extent { output: [1.25, 0.0], ..Extent::default() }));
+    let body = Some(("Body", Extent { output: [0.5, 0.0], centre: Some([-0.125, 0.0]), ..Extent::default() }));
+    let spring = Some(("Spring", Extent { output: [0.0, 0.0], ..Extent::default() }));
     let expected: [Told; 8] = [
         ("fixed".into(), vec![], None, bending),
         ("beam 1".into(), vec![0], beam, bending),
@@ -154,5 +154,8 @@ fn each_element_with_a_length_tells_it() {
     check(steps(&Lengths { l: 0.5 }.build().unwrap()), 18);
     check(steps(&PlanarLengths { l: 0.5 }.build().unwrap()), 9);
     let body = steps(&PlanarLengths { l: 0.5 }.build().unwrap()).into_iter().find(|step| step.0 == "body 9");
-    assert_eq!(body.unwrap().2.unwrap().1, Extent { output: [4.5, 2.0], centre: Some([3.0, 4.0]) });
+    assert_eq!(
+        body.unwrap().2.unwrap().1,
+        Extent { output: [4.5, 2.0], centre: Some([3.0, 4.0]), ..Extent::default() }
+    );
 }

@@ -4,6 +4,7 @@ mod answers;
 mod closed_forms;
 mod damped;
 mod exact;
+mod example;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]
 mod numbers;

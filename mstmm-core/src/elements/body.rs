@@ -112,7 +112,7 @@ impl<T: Parameter> Element for Body<T> {
 
     fn extent(built: &BuiltBody<T>) -> Extent {
         let [output, centre] = [built.levers.output, built.levers.centre].map(|arm| [arm.length.to_f64(), 0.0]);
-        Extent { output, centre: Some(centre) }
+        Extent { output, centre: Some(centre), ..Extent::default() }
     }
 
     fn member_numbers(built: &BuiltBody<T>) -> MemberNumbers {

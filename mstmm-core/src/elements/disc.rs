@@ -4,8 +4,8 @@ use crate::element::{BackTransfer, BodyNumbers, Element, Energies, MemberNumbers
 use crate::elements::point_mass::{PointMass, PointMassCoefficients};
 use crate::elements::shared::line_forms::displacements;
 use crate::elements::shared::spin::Spin;
-use crate::model::{Bending, Ends, FrequencyEstimates, InvalidParameter};
-use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
+use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter};
+use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Scaled, Single};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::{Coordinate, Support};
 use nalgebra::Matrix4;
@@ -60,6 +60,12 @@ impl<T: Parameter> Element for Disc<T> {
     fn estimate(built: &BuiltDisc<T>, estimates: &mut FrequencyEstimates) {
         PointMass::estimate(&built.at_rest, estimates);
         built.spin.estimate(estimates);
+    }
+
+    /// Of a thin disc, `I_p = m r²/2`.
+    fn extent(built: &BuiltDisc<T>) -> Extent {
+        let square = (built.spin.polar_inertia / built.at_rest.mass).to_f64();
+        Extent::default().of_radius(Scalar::sqrt(square + square))
     }
 
     fn member_numbers(built: &BuiltDisc<T>) -> MemberNumbers {

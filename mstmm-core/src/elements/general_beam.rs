@@ -3,7 +3,7 @@
 use crate::element::BeamNumbers;
 use crate::elements::shared::compound::Units;
 use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Single, Truth};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Single, Truth};
 use compound::GeneralCompound;
 use constants::{Constants, SectionAt};
 use nalgebra::Matrix4;
@@ -92,6 +92,12 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
 
     fn extent(&self) -> Extent {
         Extent::along(self.parameters.length.to_f64())
+    }
+
+    /// The extent of a shaft: a solid one has `ρI = ρA r²/4`.
+    fn extent_of_shaft(&self) -> Extent {
+        let BeamParameters { mass_per_length, rotary_inertia, .. } = self.parameters;
+        self.extent().of_radius(2.0 * Scalar::sqrt((rotary_inertia / mass_per_length).to_f64()))
     }
 
     fn transfer_matrix<S: Frequency<T> + Single>(&self, x: S) -> Matrix4<S> {

@@ -54,7 +54,7 @@ impl<T: Parameter> Element for PlanarBody<T> {
 
     fn extent(built: &Self) -> Extent {
         let output = [built.output_x, built.output_y].map(T::to_f64);
-        Extent { output, centre: Some([built.centre_x, built.centre_y].map(T::to_f64)) }
+        Extent { output, centre: Some([built.centre_x, built.centre_y].map(T::to_f64)), ..Extent::default() }
     }
 }
 

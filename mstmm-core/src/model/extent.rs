@@ -8,11 +8,19 @@ pub struct Extent {
     pub output: [f64; 2],
     /// The mass centre of a rigid body.
     pub centre: Option<[f64; 2]>,
+    /// The radius of a round part: of a solid shaft of the same mass and rotary inertia, or of a disc of the same mass and polar inertia. Zero of others.
+    pub radius: f64,
 }
 
 impl Extent {
     /// The extent of an element that reaches so far along its arrow.
     pub fn along(length: f64) -> Self {
-        Extent { output: [length, 0.0], centre: None }
+        Extent { output: [length, 0.0], ..Extent::default() }
+    }
+
+    /// The extent of a round part.
+    #[must_use]
+    pub(crate) fn of_radius(self, radius: f64) -> Self {
+        Extent { radius, ..self }
     }
 }

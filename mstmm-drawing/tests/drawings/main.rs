@@ -11,6 +11,7 @@ mod modes;
 mod pictures;
 mod places;
 mod reading;
+mod rotors;
 mod space;
 mod space_frames;
 mod space_sketch;

@@ -63,6 +63,11 @@ struct Responses;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/signs.md")]
 struct Signs;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/rotors.md")]
+struct Rotors;
+
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/space.md")]
 struct FramesInSpace;

@@ -129,7 +129,7 @@ impl<T: Parameter> Element for DampedSpinningBeam<T> {
     }
 
     fn extent(built: &Self::Built) -> Extent {
-        GeneralBeam::extent(&built.beam)
+        built.beam.extent_of_shaft()
     }
 
     fn member_numbers(built: &Self::Built) -> MemberNumbers {

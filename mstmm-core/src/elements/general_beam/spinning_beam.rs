@@ -126,7 +126,7 @@ impl<T: Parameter> Element for SpinningBeam<T> {
     }
 
     fn extent(built: &BuiltSpinningBeam<T>) -> Extent {
-        GeneralBeam::extent(&built.beam)
+        built.beam.extent_of_shaft()
     }
 
     fn member_numbers(built: &BuiltSpinningBeam<T>) -> MemberNumbers {
