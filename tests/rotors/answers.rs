@@ -1,5 +1,5 @@
 //! Shapes, sensitivities, responses, unbalance and orbits of rotors.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a rotor that is refused fails the test")]
+#![expect(clippy::panic, reason = "a rotor that is refused fails the test")]
 
 use crate::numbers::Random;
 use crate::shafts::{Between, Numbers, Overhung, Spools, Topology};

@@ -1,5 +1,4 @@
 //! The example of the book.
-#![expect(clippy::unwrap_used, reason = "an example that is refused fails the test")]
 
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/rotor.rs"]
