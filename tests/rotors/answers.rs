@@ -254,3 +254,50 @@ fn loads_of_a_rotor_are_labels_of_its_model() {
     let rotor = DISC.build().unwrap();
     drift(rotor.whirl(Whirl::Backward), Rigid::disc_1.output().force());
 }
+
+system! {
+    /// A rotor that nothing holds.
+    struct Loose { speed: f64 }
+    free -> disc 1 { mass: 2.0, inertia: 0.05, polar_inertia: 0.1, speed } -> beam 2 {
+        length: 1.0, bending_stiffness: 100.0, mass_per_length: 1.0, rotary_inertia: 0.001, polar_inertia_per_length: 0.002, speed
+    } -> disc 3 { mass: 1.0, inertia: 0.05, polar_inertia: 0.05, speed } -> free;
+}
+
+/// A free rotor has no shapes at rest, and moves off under a force.
+#[test]
+fn free_rotors_at_rest_are_refused() {
+    use mstmm::motion::MotionError;
+    let rotor = Loose { speed: 3.0 }.build().unwrap();
+    for whirl in [Whirl::Forward, Whirl::Backward] {
+        let system = rotor.whirl(whirl);
+        let rest = system.first_frequencies::<1>().unwrap()[0];
+        assert!(matches!(system.mode_shapes::<2, _>(&rest).err(), Some(MotionError::ZeroFrequency)));
+        let point = Loose::disc_1.output();
+        let response = system.frequency_response(point.force(), point.deflection()).unwrap();
+        assert!(matches!(response.at(0.0).err(), Some(MotionError::Resonance { .. })));
+    }
+}
+
+system! {
+    /// A disc that may tilt freely, beside one that is held.
+    struct Tilting { speed: f64 }
+    free -> disc 1 { mass: 1.0, inertia: 0.1, polar_inertia: 0.2, speed } -> conn a;
+    fixed -> spring 2 { stiffness: 500.0 } -> conn a;
+    conn a -> spring 3 { stiffness: 3000.0 } -> conn b;
+    fixed -> torsion_spring 5 { stiffness: 10.0 } -> conn b;
+    free -> disc 4 { mass: 2.0, inertia: 0.1, polar_inertia: 0.15, speed } -> conn b -> free;
+}
+
+/// What a speed does not change at rest: springs in a row, beside a disc that nothing keeps from tilting.
+#[test]
+fn static_limits_do_not_depend_on_the_speed() {
+    for speed in [0.0, 1.0, 50.0, 1e3] {
+        let rotor = Tilting { speed }.build().unwrap();
+        for whirl in [Whirl::Forward, Whirl::Backward] {
+            let point = Tilting::conn_b;
+            let response = rotor.whirl(whirl).frequency_response(point.force(), point.deflection()).unwrap();
+            let (found, expected) = (response.at(0.0).unwrap(), 1.0 / 500.0 + 1.0 / 3000.0);
+            assert!((found / expected - 1.0).abs() < 1e-11, "{speed} {whirl:?}: {found} instead of {expected}");
+        }
+    }
+}

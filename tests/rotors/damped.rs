@@ -158,11 +158,132 @@ fn regions_of_rotors_say_what_is_wrong() {
     let rotor =
         Pinned { length: 1.3, ei: 40.0, m: 2.0, rp: 0.02, time: 1e-2, external: 0.3, speed: 30.0 }.build().unwrap();
     let forward = rotor.whirl(Whirl::Forward);
-    let error = forward.eigenvalues::<8>(Region { re: -10.0..=10.0, im: 0.0..=10.0 }).err();
-    assert_eq!(error, Some(SearchError::OtherWhirl { im: 0.0 }));
+    let error = forward.eigenvalues::<8>(Region { re: -10.0..=10.0, im: -1.0..=10.0 }).err();
+    assert_eq!(error, Some(SearchError::OtherWhirl { im: -1.0 }));
     let text = error.map_or_else(String::new, |error| error.to_string());
     assert!(text.contains("the other whirl"), "{text}");
     // λ = -1/t + iΩ
     let error = forward.eigenvalues::<8>(Region { re: -110.0..=10.0, im: 1.0..=100.0 }).err();
     assert!(matches!(error, Some(SearchError::Accumulation { .. })), "{error:?}");
+}
+
+/// Real eigenvalues are of both whirls, whatever rounding says of their imaginary parts.
+#[test]
+fn overdamped_rotors_have_their_real_eigenvalues() {
+    for (k, c) in [(1200.0, 300.0), (1200.0, 125.0), (900.0, 4e3), (30.0, 21.0), (1e4, 1e3)] {
+        let disc = Rigid { mass: 3.0, id: 0.2, ip: 0.3, k, k_theta: 500.0, c, c_theta: 0.0, speed: 30.0 };
+        let root = (c * c - 4.0 * disc.mass * k).sqrt();
+        let slow = -2.0 * k / (c + root);
+        for whirl in [Whirl::Forward, Whirl::Backward] {
+            let rotor = disc.build().unwrap();
+            let found = rotor.whirl(whirl).first_eigenvalues::<2>().unwrap();
+            let real: Vec<f64> =
+                found.iter().filter(|root| root.lambda.im.abs() <= root.error).map(|root| root.lambda.re).collect();
+            assert!(
+                real.iter().any(|own| (own / slow - 1.0).abs() < 1e-12),
+                "{whirl:?} {k} {c}: {found:?} without {slow}"
+            );
+            let region = Region { re: 1.2 * slow..=0.5, im: 0.0..=10.0 };
+            let within = rotor.whirl(whirl).eigenvalues::<4>(region).unwrap();
+            assert_eq!(within.len(), 1, "{within:?}");
+        }
+    }
+}
+
+/// A shaft without polar inertia has two whirls as well: its damping turns with it.
+#[test]
+fn damping_that_turns_tells_both_whirls_apart() {
+    let shaft = Pinned { length: 1.0, ei: 40.0, m: 2.0, rp: 0.0, time: 1e-4, external: 0.5, speed: 100.0 };
+    let rotor = shaft.build().unwrap();
+    let error = rotor.whirl(Whirl::Forward).eigenvalues::<8>(Region { re: -40.0..=40.0, im: -100.0..=100.0 }).err();
+    assert_eq!(error, Some(SearchError::OtherWhirl { im: -100.0 }));
+}
+
+system! {
+    /// Two alike parts of a shaft on a bearing.
+    struct Halves { speed: f64, k: f64, damping: f64 }
+    section s {
+        length: 0.5, bending_stiffness: 40.0, mass_per_length: 2.0, rotary_inertia: 0.02, polar_inertia_per_length: 0.05, speed
+    }
+    pinned -> beam 1 { ..s } -> conn m -> beam 2 { ..s } -> pinned;
+    fixed -> spring 3 { stiffness: k, damping } -> conn m;
+}
+
+/// Energies of a mode are those of a cycle, at any speed, and gyroscopic moments take none.
+#[test]
+fn shares_of_energies_are_parts_of_one() {
+    for speed in [0.0, 100.0, 1e4] {
+        for (whirl, damping) in
+            [(Whirl::Forward, 1e-9), (Whirl::Backward, 1e-9), (Whirl::Forward, 5.0), (Whirl::Backward, 5.0)]
+        {
+            let rotor = Halves { speed, k: 10.0, damping }.build().unwrap();
+            let system = rotor.whirl(whirl);
+            let root = system.first_eigenvalues::<1>().unwrap()[0];
+            let shape = system.mode_shape(&root).unwrap();
+            let [one, other] = [shape.energy_shares(Halves::beam_1), shape.energy_shares(Halves::beam_2)];
+            assert!(
+                (one.strain - other.strain).abs() < 1e-9 && (one.kinetic - 0.5).abs() < 1e-9,
+                "{speed} {whirl:?} {one:?} {other:?}"
+            );
+            assert!((0.0..=1.0).contains(&one.strain) && (0.4..0.5001).contains(&one.strain), "{one:?}");
+            let bearing = shape.energy_shares(Halves::spring_3);
+            assert!((bearing.dissipated - 1.0).abs() < 1e-9, "{bearing:?}");
+        }
+    }
+}
+
+/// Below the axis a loss factor is that of conjugate motions, which are of the other whirl.
+#[test]
+fn responses_below_the_axis_of_lossy_rotors_are_refused() {
+    let lossy = Lossy { speed: 30.0 }.build().unwrap();
+    let point = Lossy::conn_a;
+    let response = lossy.whirl(Whirl::Forward).frequency_response(point.torque(), point.rotation()).unwrap();
+    let above = response.at(C::new(0.0, 40.0)).unwrap();
+    let expected = 1.0 / (C::new(500.0, 50.0) - 0.2 * 1600.0 + 0.3 * 30.0 * 40.0);
+    assert!((above - expected).norm() < 1e-13 * expected.norm(), "{above} {expected}");
+    assert_eq!(response.at(C::new(0.0, -40.0)).err(), Some(mstmm::motion::MotionError::LossFactor));
+}
+
+system! {
+    /// A disc on a lossy spring.
+    struct Lossy { speed: f64 }
+    free -> disc 1 { mass: 3.0, inertia: 0.2, polar_inertia: 0.3, speed } -> conn a -> free;
+    fixed -> spring 2 { stiffness: 1200.0 } -> conn a;
+    fixed -> torsion_spring 3 { stiffness: 500.0, loss_factor: 0.1 } -> conn a;
+}
+
+system! {
+    /// A disc whose seal pushes across by a number.
+    struct Pushed { cross: f64 }
+    free -> disc 1 { mass: 1.0, inertia: 1.0, polar_inertia: 0.0 } -> conn a -> free;
+    fixed -> spring 2 { stiffness: 100.0, damping: 1.0, cross_stiffness: cross } -> conn a;
+    fixed -> torsion_spring 3 { stiffness: 1e6 } -> conn a;
+}
+
+/// Where nothing is in the region at the first speed, and where a motion neither grows nor decays for a while.
+#[test]
+fn thresholds_are_narrow_beside_speeds_that_say_nothing() {
+    // neutral at ω = 10, where k_c = cω
+    let kinked = |speed: f64| {
+        let slope = if speed < 50.0 { 1.0 } else { 0.1 };
+        Pushed { cross: 10.0 + slope * (speed - 50.0) }.build()
+    };
+    for width in [1.0, 10.0] {
+        let region = Region { re: 0.0..=width, im: 1.0..=50.0 };
+        let found = stability_threshold(0.0..=100.0, Whirl::Forward, region, kinked).unwrap().unwrap();
+        assert!(found.lower < 50.0 && found.upper > 50.0 && found.upper - found.lower < 1e-9, "{found:?}");
+    }
+    let flat = |speed: f64| {
+        let cross = if speed < 20.0 {
+            speed - 20.0
+        } else if speed > 70.0 {
+            speed - 70.0
+        } else {
+            0.0
+        };
+        Pushed { cross: 10.0 + 0.1 * cross }.build()
+    };
+    let region = Region { re: 0.0..=10.0, im: 1.0..=50.0 };
+    let found = stability_threshold(0.0..=100.0, Whirl::Forward, region, flat).unwrap().unwrap();
+    assert!(found.lower < 70.0 && found.upper > 70.0 && found.upper < 70.1, "{found:?}");
 }

@@ -77,7 +77,9 @@ fn main() -> Result<(), Failure> {
     println!("| {number} critical speeds, proven | {:.2} ms |", 1e-3 * microseconds(critical));
     let rotor = TwoDiscs { speed: 400.0 }.build()?;
     let forward = rotor.whirl(Whirl::Forward);
-    let delta = microseconds(|| (0..1000).map(|k| forward.characteristic(black_box(400.0 + f64::from(k))).mantissa()).sum::<f64>());
+    let delta = microseconds(|| {
+        (0..1000).map(|k| forward.characteristic(black_box(400.0 + f64::from(k))).mantissa()).sum::<f64>()
+    });
     println!("| one evaluation of the determinant | {:.3} µs |", 1e-3 * delta);
     Ok(())
 }

@@ -33,14 +33,17 @@ where
                 (0..self.system.scheme().len()).map(of).fold(Y::Parameter::from_f64(0.0), |sum, part| sum + part);
             if whole.is_zero() { whole } else { of(label.step) / whole }
         };
-        EnergyShares { strain: share(Form::Stiffness), kinetic: share(Form::Mass), dissipated: share(Form::Damping) }
+        // at a real frequency the form of first order is that of gyroscopic moments, which take no energy
+        let is_real = self.x.lambda().is_zero();
+        let dissipated = if is_real { Y::Parameter::from_f64(0.0) } else { share(Form::Damping) };
+        EnergyShares { strain: share(Form::Stiffness), kinetic: share(Form::Mass), dissipated }
     }
 
-    /// A form of the motion of an element and its conjugate, real and positive; that of damping with what a loss factor takes,
-    /// `Im K/Im λ`.
+    /// A form of the motion of an element and its conjugate, real and positive; that of damping with what a loss factor, a seal and a damped material that
+    /// turns take, `Im K/Im λ`.
     fn energy(&self, form: Form, step: usize) -> Y::Parameter {
         let energy = self.with_conjugate(form, step).re;
-        let is_lossy = matches!(form, Form::Damping) && self.system.frequency_estimates().has_loss();
+        let is_lossy = matches!(form, Form::Damping) && !self.system.frequency_estimates().have_images();
         if !is_lossy {
             return energy;
         }

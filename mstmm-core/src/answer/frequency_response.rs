@@ -61,7 +61,12 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         }
         // below the real axis a motion has the conjugate loss factor
         if is_below_losses(self.route.system, x) {
-            return Ok(self.precisely(x.conjugate())?.conjugate());
+            // the conjugate motion of a rotor is one of the other whirl
+            return if const { Y::SPINS } {
+                Err(MotionError::LossFactor)
+            } else {
+                Ok(self.precisely(x.conjugate())?.conjugate())
+            };
         }
         self.precisely(x)
     }
@@ -125,7 +130,7 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
                 (value, size)
             }
         };
-        if self.route.system.frequency_estimates().has_loss() {
+        if const { Y::SPINS } || self.route.system.frequency_estimates().has_loss() {
             return Ok(Part { value, size, mirrored: self.evaluated(-x)? });
         }
         Ok(Part::new(value, size))

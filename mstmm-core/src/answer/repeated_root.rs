@@ -25,6 +25,10 @@ where
     if is_below_losses(system, root.frequency()) {
         return Err(MotionError::LossFactor);
     }
+    // about rest the poles of a rotor are of several orders
+    if const { Y::SPINS } && root.frequency().is_zero() {
+        return Err(MotionError::ZeroFrequency);
+    }
     let mut list = ShapeList { shapes: [const { None }; CAP] };
     if root.multiplicity() > 1 {
         let plain = shapes(system, root.frequency(), root.multiplicity(), &mut list.shapes);

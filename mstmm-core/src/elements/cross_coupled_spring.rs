@@ -6,7 +6,7 @@ use crate::elements::shared::line_forms::{elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_stiffness};
 use crate::elements::shared::massless::off_pole;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Translation};
-use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
+use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single, Truth};
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Coordinate;
 use nalgebra::Matrix2;
@@ -80,7 +80,9 @@ impl<T: Parameter> Element for CrossCoupledSpring<T> {
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates) {
         let of_path = [FrequencyEstimates::translational_stiffness, FrequencyEstimates::translational_damping];
         built.spring.estimate(estimates, of_path);
-        estimates.whirl();
+        if !built.cross.iter().all(|term| term.vanishes().all()) {
+            estimates.whirl();
+        }
     }
 
     fn member_numbers(built: &Self::Built) -> MemberNumbers {

@@ -59,7 +59,7 @@ impl<T: Parameter> Element for Disc<T> {
 
     fn estimate(built: &BuiltDisc<T>, estimates: &mut FrequencyEstimates) {
         PointMass::estimate(&built.at_rest, estimates);
-        built.spin.estimate(estimates);
+        built.spin.estimate(estimates, 1.0);
     }
 
     /// Of a thin disc, `I_p = m r²/2`.

@@ -38,7 +38,7 @@ pub enum MotionError {
         /// Number of its shapes.
         shapes: u64,
     },
-    /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root.
+    /// At frequency zero the derivative of ω is not defined: ω² moves, and ω is its root. A rotor that rests has no shapes either.
     ZeroFrequency,
     /// The system resonates at this frequency: the response to a force is infinite. It is not determined at a multiple root that the
     /// force does not excite, and at any frequency of a model without a spectrum.
@@ -159,7 +159,7 @@ impl fmt::Display for MotionError {
                 write!(f, "the eigenvalue {root} of multiplicity {multiplicity} has {shapes} shapes only")
             }
             MotionError::ZeroFrequency => {
-                write!(f, "a zero frequency has no derivative: it is the root of ω², and parameters move that")
+                write!(f, "a zero frequency has no derivative, since it is the root of ω², and of a rotor no shape")
             }
             MotionError::Resonance { frequency: 0.0 } => {
                 write!(f, "nothing holds the system at rest: under the load it moves off as a rigid body")

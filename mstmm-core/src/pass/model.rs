@@ -10,7 +10,7 @@ use crate::number::Parameter;
     message = "`{Self}` is not a model",
     label = "not a model that `system!` declares",
     note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`",
-    note = "a model with places is built and searched by itself"
+    note = "a model with places is built and searched by itself, and so is a rotor, whose whirls are searched: `campbell` takes many speeds"
 )]
 pub trait Model {
     /// The built system over parameters of a type.

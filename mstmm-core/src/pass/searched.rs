@@ -31,9 +31,10 @@ impl<Y> RealPasses for Y where
 /// Every undamped system is one but those with planar elements in paths without places, which have none of its passes; systems with a damper
 /// are not: they have `eigenvalues`. It is implemented for each system by itself, so that the compiler says once what is missing.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no certified frequencies: planar elements stand in its paths without places",
-    label = "not for planar elements without places",
-    note = "say where its points are, `conn a at (x, y)`: then every search is there",
+    message = "`{Self}` has no certified frequencies of its own",
+    label = "neither of a rotor nor of planar elements without places",
+    note = "a rotor has those of each whirl: ask `rotor.whirl(Whirl::Forward)`, `rotor.whirl(Whirl::Backward)`",
+    note = "of planar elements say where their points are, `conn a at (x, y)`: then every search is there",
     note = "without places there are `overall_matrix` and `overall_determinant`: search that for roots by `fmin1d`"
 )]
 pub trait Undamped: RealPasses {
@@ -65,9 +66,10 @@ impl<Y> ComplexPasses for Y where
 ///
 /// Every system is one but those with planar elements in paths without places.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no certified eigenvalues: planar elements stand in its paths without places",
-    label = "not for planar elements without places",
-    note = "say where its points are, `conn a at (x, y)`: then every search is there",
+    message = "`{Self}` has no certified eigenvalues of its own",
+    label = "neither of a rotor nor of planar elements without places",
+    note = "a rotor has those of each whirl: ask `rotor.whirl(Whirl::Forward)`, `rotor.whirl(Whirl::Backward)`",
+    note = "of planar elements say where their points are, `conn a at (x, y)`: then every search is there",
     note = "without places there are `overall_matrix` and `overall_determinant`: search that for roots by `fmin1d` or `fmin2d`"
 )]
 pub trait Spectrum: ComplexPasses {}

@@ -1,6 +1,6 @@
 //! A rotor: a system whose shafts and discs spin, seen from both whirls.
 
-use crate::model::ParameterError;
+use crate::model::{FrequencyEstimates, ParameterError};
 use crate::number::Parameter;
 use crate::pass::characteristic::System;
 
@@ -50,6 +50,15 @@ impl<Y> Rotor<Y> {
             Whirl::Forward => &self.forward,
             Whirl::Backward => &self.backward,
         }
+    }
+}
+
+/// A rotor is searched by its whirls: what is asked of itself is an error that says so.
+impl<Y: System> System for Rotor<Y> {
+    type Parameter = Y::Parameter;
+
+    fn frequency_estimates(&self) -> FrequencyEstimates {
+        self.forward.frequency_estimates()
     }
 }
 

@@ -9,14 +9,11 @@ use crate::search::rotor::{Rotor, Whirl};
 /// Room for the eigenvalues of the region at one speed.
 const ROOM: usize = 64;
 
-/// Most speeds that are tried: halves of a range down to the last bit of a number, and a secant step before each.
-const STEPS: usize = 120;
+/// Most speeds that are tried: halves of both sides of a range down to the last bit of a number, and a secant step before each.
+const STEPS: usize = 160;
 
 /// Width of an interval, in units of eps of the speed, that is not divided any more.
 const NARROW: f64 = 4.0;
-
-/// Uncertainties of an eigenvalue by which a speed moves away from one at which the sign of the growth is not decided, first; then four times as many.
-const AWAY: f64 = 2.0;
 
 /// The speed from which on a motion of a whirl grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,26 +28,32 @@ pub struct Threshold {
     pub eigenvalue: Eigenvalue<f64>,
 }
 
-/// The rightmost eigenvalue of a region at a speed.
+/// The eigenvalues of a region at a speed.
 #[derive(Clone, Copy)]
 struct AtSpeed {
     speed: f64,
-    rightmost: Option<Eigenvalue<f64>>,
+    /// That which grows most, by the left edge of its circle.
+    growing: Option<Eigenvalue<f64>>,
+    /// The largest right edge of a circle.
+    most: f64,
 }
 
 impl AtSpeed {
-    /// Whether the motion grows; none where its circle meets the imaginary axis.
+    fn new(speed: f64, roots: &[Eigenvalue<f64>]) -> Self {
+        let left = |root: &&Eigenvalue<f64>| root.lambda.re - root.error;
+        let growing = roots.iter().max_by(|one, other| left(one).total_cmp(&left(other))).copied();
+        let most = roots.iter().map(|root| root.lambda.re + root.error).fold(f64::NEG_INFINITY, f64::max);
+        AtSpeed { speed, growing, most }
+    }
+
+    /// Whether a motion grows; none where a circle meets the imaginary axis and none is to the right of it.
     fn grows(&self) -> Option<bool> {
-        let Some(Eigenvalue { lambda, error, .. }) = self.rightmost else { return Some(false) };
-        match () {
-            () if lambda.re - error > 0.0 => Some(true),
-            () if lambda.re + error < 0.0 => Some(false),
-            () => None,
-        }
+        let is_right = self.growing.is_some_and(|root| root.lambda.re - root.error > 0.0);
+        if is_right { Some(true) } else { (self.most < 0.0).then_some(false) }
     }
 
     fn growth(&self) -> Option<f64> {
-        self.rightmost.map(|root| root.lambda.re)
+        self.growing.map(|root| root.lambda.re)
     }
 }
 
@@ -85,8 +88,7 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
     let mut at = |speed: f64| -> Result<AtSpeed, SpeedError> {
         let rotor = build(speed).map_err(|error| SpeedError::Parameter { speed, error })?;
         let roots = rotor.whirl(whirl).eigenvalues::<ROOM>(region.clone())?;
-        let rightmost = roots.iter().copied().max_by(|one, other| one.lambda.re.total_cmp(&other.lambda.re));
-        Ok(AtSpeed { speed, rightmost })
+        Ok(AtSpeed::new(speed, &roots))
     };
     let (lower, upper) = (at(start)?, at(end)?);
     match (lower.grows(), upper.grows()) {
@@ -98,60 +100,41 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
     }
 }
 
-/// Two speeds as close to each other as the circles of their eigenvalues let them be, between which a motion begins to grow.
+/// Two speeds, between which a motion begins to grow, as close to each other as twice those are at which the signs of growth are not decided.
 fn narrowed(
     mut lower: AtSpeed,
     mut upper: AtSpeed,
     at: &mut dyn FnMut(f64) -> Result<AtSpeed, SpeedError>,
 ) -> Result<[AtSpeed; 2], SpeedError> {
+    // the speeds at which nothing is decided
+    let mut open: Option<[f64; 2]> = None;
     for step in 0..STEPS {
-        let width = upper.speed - lower.speed;
-        if width <= NARROW * f64::EPSILON * upper.speed.abs() {
+        let half = |from: f64, to: f64| from + 0.5 * (to - from);
+        let speed = match open {
+            None if step % 3 == 2 => half(lower.speed, upper.speed),
+            None => secant(&lower, &upper).unwrap_or(half(lower.speed, upper.speed)),
+            Some([first, last]) => {
+                let [below, above] = [first - lower.speed, upper.speed - last];
+                if below.max(above) <= last - first {
+                    break;
+                }
+                if below > above { half(lower.speed, first) } else { half(last, upper.speed) }
+            }
+        };
+        let [before, behind] = open.unwrap_or([upper.speed, lower.speed]);
+        let is_narrow = upper.speed - lower.speed <= NARROW * f64::EPSILON * upper.speed.abs();
+        let is_between = lower.speed < speed && speed < upper.speed && speed != before && speed != behind;
+        if is_narrow || !is_between {
             break;
         }
-        let half = lower.speed + 0.5 * width;
-        let speed = if step % 3 == 2 { half } else { secant(&lower, &upper).unwrap_or(half) };
         let middle = at(speed)?;
         match middle.grows() {
             Some(true) => upper = middle,
             Some(false) => lower = middle,
-            // the ends are as far apart as the eigenvalue is uncertain
-            None => return around(&middle, [lower, upper], at),
+            None => open = Some(open.map_or([speed; 2], |[first, last]| [first.min(speed), last.max(speed)])),
         }
-    }
-    Ok([lower, upper])
-}
-
-/// Two speeds on both sides of one at which the sign of the growth is not decided.
-fn around(
-    middle: &AtSpeed,
-    [mut lower, mut upper]: [AtSpeed; 2],
-    at: &mut dyn FnMut(f64) -> Result<AtSpeed, SpeedError>,
-) -> Result<[AtSpeed; 2], SpeedError> {
-    let slope = match (lower.growth(), upper.growth()) {
-        (Some(below), Some(above)) => (above - below) / (upper.speed - lower.speed),
-        _ => return Ok([lower, upper]),
-    };
-    let error = middle.rightmost.map_or(0.0, |root| root.error);
-    let mut away = (AWAY * error / slope).max(f64::EPSILON * middle.speed.abs());
-    let (first, last) = (lower.speed, upper.speed);
-    while away.is_finite() && (lower.speed == first || upper.speed == last) {
-        let [below, above] = [middle.speed - away, middle.speed + away];
-        if below <= first && above >= last {
-            break;
-        }
-        for speed in [below, above] {
-            if speed <= lower.speed || speed >= upper.speed {
-                continue;
-            }
-            let beside = at(speed)?;
-            match beside.grows() {
-                Some(true) if speed > middle.speed => upper = beside,
-                Some(false) if speed < middle.speed => lower = beside,
-                _ => {}
-            }
-        }
-        away *= 4.0;
+        // what is not decided may be beyond an end that is
+        open = open.filter(|[first, last]| lower.speed < *first && *last < upper.speed);
     }
     Ok([lower, upper])
 }
@@ -166,10 +149,10 @@ fn secant(lower: &AtSpeed, upper: &AtSpeed) -> Option<f64> {
 /// What two speeds tell.
 fn threshold([lower, upper]: [AtSpeed; 2]) -> Option<Threshold> {
     let speed = secant(&lower, &upper).unwrap_or(lower.speed + 0.5 * (upper.speed - lower.speed));
-    upper.rightmost.map(|eigenvalue| Threshold { speed, lower: lower.speed, upper: upper.speed, eigenvalue })
+    upper.growing.map(|eigenvalue| Threshold { speed, lower: lower.speed, upper: upper.speed, eigenvalue })
 }
 
 /// The error of a growth of zero.
 fn unresolved(at: &AtSpeed) -> SearchError {
-    SearchError::Unresolved { near: at.rightmost.map_or(0.0, |root| root.lambda.im) }
+    SearchError::Unresolved { near: at.growing.map_or(0.0, |root| root.lambda.im) }
 }

@@ -145,7 +145,7 @@ fn elsewhere(element: &Element, name: &str) -> Option<&'static str> {
     if name == "length" || is_of_one_plane {
         return None;
     }
-    if has_somewhere(&keyword, name) {
+    if has_somewhere(&keyword, name) && name != SPIN[0] {
         return Some(if element.dimension == Dimension::Line { "in the plane" } else { "along a line" });
     }
     is_in_space.then_some("in space")

@@ -72,8 +72,8 @@ fn what_spins_stands_in_a_line_of_paths() {
         struct M { l: f64, k: f64 }
         fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k, rotary_inertia: k,
             polar_inertia_per_length: k, speed: k } -> conn a at (l, 0.0);
-            ^^^^^^^^^^^^^^^^^^^^^^^^ `beam` has no parameter `polar_inertia_per_length`: it has that along a
-            | line alone, so remove it
+            ^^^^^^^^^^^^^^^^^^^^^^^^ `beam` has no parameter `polar_inertia_per_length`: it has that in space
+            | alone, so remove it
                                          ^^^^^ `beam` has no parameter `speed`: a `beam` and a `disc` spin, in
                                          | a line of paths without places
         conn a <- disc 2 { mass: k, inertia: k, polar_inertia: k, speed: k } <- free;

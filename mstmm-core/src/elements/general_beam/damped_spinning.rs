@@ -12,7 +12,7 @@ use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::spin::Spin;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement};
-use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
+use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single, Truth};
 use nalgebra::Matrix4;
 
 /// A beam that spins with damping: at λ it is the beam with `EI e`, `kGA e` and `k + c_e λ`, where `e = 1 + t (λ - iΩ)` with the speed Ω as the whirl
@@ -53,6 +53,9 @@ impl<T: Parameter> BuiltDampedSpinningBeam<T> {
         let rate = 1.0 / self.time.to_f64();
         // where kGA e + T vanishes
         let share = T::one() + self.beam.parameters.shear_flexibility * self.beam.parameters.tension();
+        if !(self.time * self.spin.speed).vanishes().all() {
+            estimates.whirl();
+        }
         estimates.turning_singularity(rate);
         estimates.turning_singularity(rate * share.to_f64());
     }
@@ -131,7 +134,8 @@ impl<T: Real> BuiltDampedSpinningBeam<T> {
 
     /// The forms of two motions: what turns with the shaft in the strain is a part of the stiffness form.
     pub(super) fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Forms<S> {
-        let (motion, other) = (self.motion(first.x), self.motion(second.x));
+        let other = if Spin::is_of_other_whirl([first.x, second.x]) { self.turned_round() } else { *self };
+        let (motion, other) = (self.motion(first.x), other.motion(second.x));
         let products = motion.products(first, (&other, second));
         let UndampedForms { mass, strain, restoring, displacement } = motion.forms_of(products, &other);
         let at_rest = self.factor(<S as Scalar>::from_f64(0.0));

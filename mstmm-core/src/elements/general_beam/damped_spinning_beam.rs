@@ -124,7 +124,7 @@ impl<T: Parameter> Element for DampedSpinningBeam<T> {
 
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates) {
         GeneralBeam::estimate(&built.beam, estimates);
-        built.spin.estimate(estimates);
+        built.spin.estimate(estimates, built.beam.parameters.length.to_f64());
         built.estimate(estimates);
     }
 

@@ -94,7 +94,8 @@ impl<T: Real> BuiltSpinningBeam<T> {
 
     /// The forms of two motions.
     pub(super) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> Forms<S> {
-        let (motion, other) = (self.motion(first.x), self.motion(second.x));
+        let other = if Spin::is_of_other_whirl([first.x, second.x]) { self.turned_round() } else { *self };
+        let (motion, other) = (self.motion(first.x), other.motion(second.x));
         let products = motion.products(first, (&other, second));
         let UndampedForms { mass, strain, restoring, .. } = motion.forms_of(products, &other);
         Forms { mass, stiffness: strain + restoring, damping: self.spin.form(products.rotation) }

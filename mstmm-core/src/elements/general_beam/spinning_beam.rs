@@ -122,7 +122,7 @@ impl<T: Parameter> Element for SpinningBeam<T> {
 
     fn estimate(built: &BuiltSpinningBeam<T>, estimates: &mut FrequencyEstimates) {
         GeneralBeam::estimate(&built.beam, estimates);
-        built.spin.estimate(estimates);
+        built.spin.estimate(estimates, built.beam.parameters.length.to_f64());
     }
 
     fn extent(built: &BuiltSpinningBeam<T>) -> Extent {

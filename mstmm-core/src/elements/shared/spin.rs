@@ -32,10 +32,13 @@ impl<T: Parameter> Spin<T> {
         Requirement::Finite.check("speed", self.speed)
     }
 
-    /// Adds what spins to the estimates of searches.
-    pub(crate) fn estimate(&self, estimates: &mut FrequencyEstimates) {
-        if !(self.polar_inertia * self.speed).vanishes().all() {
+    /// Adds what spins to the estimates of searches, given its length or 1. Beside an inertia and a stiffness an angular momentum is as a damping: nutation is
+    /// at H over the inertia, precession at the stiffness over H.
+    pub(crate) fn estimate(&self, estimates: &mut FrequencyEstimates, length: f64) {
+        let momentum = self.polar_inertia * self.speed;
+        if !momentum.vanishes().all() {
             estimates.whirl();
+            estimates.torsional_damping(momentum.to_f64().abs() * length);
         }
     }
 
@@ -68,6 +71,12 @@ impl<T: Parameter> Spin<T> {
 }
 
 impl<T: Real> Spin<T> {
+    /// Whether the second of two motions is one of the other whirl: the conjugate of a motion is.
+    pub(crate) fn is_of_other_whirl<S: Oscillation<T>>([first, second]: [S; 2]) -> bool {
+        let [first, second] = [first, second].map(|x| x.to_complex().im);
+        (first < T::zero()) != (second < T::zero())
+    }
+
     /// The form of first order of two motions, given that of rotations, `Θ₁ Θ₂` or its integral. The work has `H ω` times that of rotations: ω times
     /// `H` at a real frequency, λ times `-iH` at an eigenvalue.
     pub(crate) fn form<S: Oscillation<T>>(&self, rotations: S) -> S {

@@ -15,6 +15,9 @@ const NEAR: f64 = 0.02;
 /// Share of its sides by which a rectangle may grow where its contour meets a root.
 const GROWTH: f64 = 0.015;
 
+/// Part of its height by which a rectangle of a whirl that begins at the axis reaches below it, so that real eigenvalues are inside.
+const BELOW: f64 = 1.0 / 64.0;
+
 /// Radius of the largest square that keeps away from a singularity at its left, as a part of the distance of that.
 const REACH: f64 = 0.96;
 
@@ -51,12 +54,16 @@ where
         }
         let (left, right, low, high) = (*region.re.start(), *region.re.end(), *region.im.start(), *region.im.end());
         let mut rectangle = Rectangle { left, right, low, high };
-        if !(self.known.have_images || low > T::zero()) {
+        let is_whirl = self.estimates.is_whirl() && !self.estimates.has_loss();
+        let (is_above, is_at_axis) = (low > T::zero(), is_whirl && low.is_zero() && high > T::zero());
+        if is_at_axis {
+            // eigenvalues on the axis are of both whirls
+            rectangle.low = -(high * T::from_f64(BELOW));
+        } else if !(self.known.have_images || is_above) {
             let im = low.to_f64();
-            let is_whirl = self.estimates.is_whirl();
             return Err(if is_whirl { SearchError::OtherWhirl { im } } else { SearchError::LossFactor { im } });
         }
-        if low <= T::zero() && high >= T::zero() {
+        if self.known.have_images && low <= T::zero() && high >= T::zero() {
             rectangle.high = larger(-low, high);
             rectangle.low = -rectangle.high;
         }

@@ -165,12 +165,15 @@ where
     fn within<const N: usize>(&mut self, radius: T) -> Result<List<Eigenvalue<T>, N>, SearchError> {
         let square = self.square(radius);
         self.find_in(square)?;
-        self.settle(|root| root.lambda.im >= T::zero());
+        let is_whirl = self.estimates.is_whirl();
+        // a real eigenvalue of a whirl may be found below the axis by rounding
+        let is_upper =
+            |root: &Eigenvalue<T>| root.lambda.im >= T::zero() || (is_whirl && root.lambda.im >= -root.error);
+        self.settle(is_upper);
         self.check_circles(None)?;
         let mut found = K::empty();
         for &root in self.known.roots() {
-            let is_upper = root.lambda.im >= T::zero();
-            if is_upper && root.frequency() <= radius && square.contains(root.lambda, root.error) {
+            if is_upper(&root) && root.frequency() <= radius && square.contains(root.lambda, root.error) {
                 add(&mut found, root)?;
             }
         }
