@@ -3,15 +3,15 @@
 use crate::element::{BeamNumbers, Exact, LineNumbers, SpinNumbers};
 use crate::proof::ball::Ball;
 use crate::proof::bending::{Bending, bending};
-use crate::proof::general_bending::general_bending;
+use crate::proof::general_bending::{General, general_bending};
 use crate::proof::join::Join;
 use crate::proof::joining::{Joining, Terms};
 use crate::proof::level::Level;
 use crate::proof::line::line;
-use crate::proof::member::{Member, place};
+use crate::proof::member::{Member, any, place};
 use crate::proof::number::Number;
 use crate::proof::row::is_zero;
-use crate::proof::word::{MOST_LANES, Word, apart};
+use crate::proof::word::{Word, apart};
 
 /// Size of a coefficient, beside the largest one of its row, below which it says nothing of the stiffness of its variable: what rounding leaves
 /// of zero is as small. The weights of rows follow from it, and are valid whatever they are.
@@ -94,26 +94,17 @@ apart! {
         joining.leaves_behind(variable);
     }
 
-    /// A general beam, lane by lane, and whether one of them is beside a pole.
+    /// A general beam, and whether it is beside a pole in one lane.
     pub(crate) fn general<N: Level>(
         joining: &Joining<'_, N>,
         beam: (&BeamNumbers, &SpinNumbers),
         length: Ball<N::Alone>,
     ) -> (Bending<N>, bool) {
         let (numbers, spin) = beam;
-        let momentum = (!spin.is_none()).then(|| momentum::<N::Alone>(spin));
-        let in_lane = |lane: usize| {
-            let moment = momentum.map(|momentum| momentum * joining.omega.lane(lane));
-            general_bending(numbers, length, joining.square.lane(lane), moment)
-        };
-        let first = in_lane(0);
-        let (mut lanes, mut is_beside_pole) = ([first.member; MOST_LANES], first.is_beside_pole);
-        for (lane, member) in lanes.iter_mut().enumerate().take(N::Word::LANES).skip(1) {
-            let beam = in_lane(lane);
-            *member = beam.member;
-            is_beside_pole |= beam.is_beside_pole;
-        }
-        (Member::of_lanes(&lanes[..N::Word::LANES]), is_beside_pole)
+        let moment = (!spin.is_none()).then(|| Ball::everywhere(momentum::<N::Alone>(spin)) * joining.omega);
+        let General { member, is_beside_pole } =
+            general_bending(numbers, Ball::everywhere(length), joining.square, moment);
+        (member, any::<N::Word>(is_beside_pole))
     }
 
     /// Adds a stiffness between two rows that nobody has proven, with its count with held ends.

@@ -41,15 +41,10 @@ pub(crate) type Roots<N> = [Ball<N>; 3];
 impl<N: Level> Equations<N> {
     #[inline(always)]
     pub(crate) fn of(beam: &BeamNumbers, length: Ball<N>, square: Ball<N>, moment: Option<Ball<N>>) -> Self {
-        let [stiffness, mass, rotary, axial, layer, foundation] = [
-            beam.bending_stiffness,
-            beam.mass_per_length,
-            beam.rotary_inertia,
-            beam.axial_force,
-            beam.shear_layer,
-            beam.foundation_stiffness,
-        ]
-        .map(Ball::<N>::of_pair);
+        let of = Ball::<N>::of_pair;
+        let (stiffness, mass, foundation) =
+            (of(beam.bending_stiffness), of(beam.mass_per_length), of(beam.foundation_stiffness));
+        let (rotary, axial, layer) = (of(beam.rotary_inertia), of(beam.axial_force), of(beam.shear_layer));
         let flexibility = if beam.shears() { Ball::of_pair(beam.shear_stiffness).inverse() } else { Ball::of(0.0) };
         let (one, tension, inertia) = (Ball::of(1.0), axial + layer, rotary * square);
         // what holds against a rotation adds to g as what its inertia takes from it
@@ -76,7 +71,8 @@ impl<N: Level> WavePair<N> {
     #[inline(always)]
     pub(crate) fn where_true(self, truth: <N::Word as Word>::Mask, other: [f64; 3]) -> Self {
         let of_lanes = [self.sum, self.product, self.square];
-        let [sum, product, square] = select_all(truth, of_lanes, other.map(Ball::of));
+        let other = [Ball::of(other[0]), Ball::of(other[1]), Ball::of(other[2])];
+        let [sum, product, square] = select_all(truth, of_lanes, other);
         WavePair { sum, product, square }
     }
 
@@ -101,7 +97,11 @@ pub(crate) fn select_all<N: Level, const K: usize>(
     first: [Ball<N>; K],
     second: [Ball<N>; K],
 ) -> [Ball<N>; K] {
-    core::array::from_fn(|k| Ball::select(truth, first[k], second[k]))
+    let mut selected = first;
+    for (own, other) in selected.iter_mut().zip(second) {
+        *own = Ball::select(truth, *own, other);
+    }
+    selected
 }
 
 /// One of two truths at least.

@@ -26,9 +26,9 @@ impl<N: Level> Equations<N> {
         [larger, smaller, _]: Roots<N>,
     ) -> ([N::Word; 2], <N::Word as Word>::Mask) {
         let (word, zero) = (N::Word::of, N::Word::of(0.0));
-        let [first, second] = [larger, smaller].map(half_waves);
-        let more = [0, 1].map(|k| first[k].or_larger(second[k]));
-        let fewer = [0, 1].map(|k| -(-first[k]).or_larger(-second[k]));
+        let (first, second) = (half_waves(larger), half_waves(smaller));
+        let more = [first[0].or_larger(second[0]), first[1].or_larger(second[1])];
+        let fewer = [-(-first[0]).or_larger(-second[0]), -(-first[1]).or_larger(-second[1])];
         let least = (more[0] - fewer[1]).or_larger(zero);
         let least = N::Word::select(self.h.is_positive(), more[0] + fewer[0], least);
         let most = N::Word::select(self.h.is_negative(), more[1] - fewer[0], more[1] + fewer[1]);
@@ -71,13 +71,7 @@ fn half_waves<N: Level>(kappa: Ball<N>) -> [N::Word; 2] {
     let word = N::Word::of;
     let square = -kappa;
     let (middle, spread) = (square.mid.leading(), square.rad + square.mid.size() * word(1e-14));
-    let whole = |square: N::Word, share: f64| {
-        // a NaN stays
-        let phase = N::Word::select(square.is_less(word(0.0)), word(0.0), square).root() * word(FRAC_1_PI * share);
-        let nearest = phase.nearest();
-        nearest - N::Word::select(phase.is_less(nearest), word(1.0), word(0.0))
-    };
-    let [least, most] = [whole(middle - spread, 1.0 - 1e-14), whole(middle + spread, 1.0 + 1e-14)];
+    let (least, most) = (whole(middle - spread, 1.0 - 1e-14), whole(middle + spread, 1.0 + 1e-14));
     let is_open = least.is_less(most);
     if !any::<N::Word>(is_open) {
         return [least, most];
@@ -90,4 +84,12 @@ fn half_waves<N: Level>(kappa: Ball<N>) -> [N::Word; 2] {
         N::Word::select(N::Word::both(is_open, beyond.is_positive()), most, least),
         N::Word::select(N::Word::both(is_open, beyond.is_negative()), most - word(1.0), most),
     ]
+}
+
+/// The whole half waves of a share of the root of a square; a NaN stays.
+#[inline(always)]
+fn whole<W: Word>(square: W, share: f64) -> W {
+    let phase = W::select(square.is_less(W::of(0.0)), W::of(0.0), square).root() * W::of(FRAC_1_PI * share);
+    let nearest = phase.nearest();
+    nearest - W::select(phase.is_less(nearest), W::of(1.0), W::of(0.0))
 }
