@@ -51,10 +51,10 @@ pub struct CampbellDiagram {
 }
 
 impl CampbellDiagram {
-    /// The diagram of lists of frequencies at speeds in ascending order.
+    /// The diagram of lists of frequencies at speeds.
     ///
     /// # Errors
-    /// [`DrawingError::Empty`] where no list has a frequency above zero or no speed is; [`DrawingError::Size`] for speeds or frequencies without a scale.
+    /// [`DrawingError::Empty`] where no frequency is above zero, or no speed; [`DrawingError::Size`] for speeds or frequencies without a scale.
     pub fn of<const N: usize>(at_speeds: &[AtSpeed<N>]) -> Result<Self, DrawingError> {
         let mut curves = [const { Vec::new() }; 2];
         let mut most = [0.0_f64; 2];
@@ -71,7 +71,10 @@ impl CampbellDiagram {
                 }
             }
         }
-        if most == [0.0; 2] {
+        for curve in curves.iter_mut().flatten() {
+            curve.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        }
+        if most.contains(&0.0) {
             return Err(DrawingError::Empty);
         }
         let size = most[0].max(most[1]);
@@ -79,10 +82,10 @@ impl CampbellDiagram {
         Ok(CampbellDiagram { most, curves, orders: Vec::new(), critical: Vec::new() })
     }
 
-    /// The diagram with the line of an order, a frequency so many times the speed.
+    /// The diagram with the line of an order, a frequency so many times the speed. One that is not positive has no line.
     #[must_use]
     pub fn order(mut self, order: f64) -> Self {
-        self.orders.push(order);
+        self.orders.extend(Some(order).filter(|order| *order > 0.0 && order.is_finite()));
         self
     }
 
@@ -117,7 +120,9 @@ impl CampbellDiagram {
             let end = if slope * speed <= frequency { [speed, slope * speed] } else { [frequency / slope, frequency] };
             let [from, to] = [[0.0; 2], end].map(|point| chart.place(point));
             all.append(path("order", &Outline::line(vec![from, to])));
-            all.append(text("order", [to[0] + 16.0, to[1] - 8.0], &format!("{order}x")));
+            // beside the area, or below its upper edge
+            let shift = if end[1] < frequency { [16.0, -8.0] } else { [14.0, 12.0] };
+            all.append(text("order", [to[0] + shift[0], to[1] + shift[1]], &format!("{order}x")));
         }
         for critical in self.critical.iter().filter(|critical| critical[0] <= speed && critical[1] <= frequency) {
             let mut circle = path("critical", &Outline::Disc(chart.place(*critical), CRITICAL));

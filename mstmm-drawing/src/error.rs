@@ -7,8 +7,8 @@ use std::io;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// There is no point and no member.
-    #[error("the model has no points: there is nothing to draw")]
+    /// There is no point and no member; of a diagram no frequency or no speed.
+    #[error("there is nothing to draw: no point, or no frequency")]
     Empty,
     /// A coordinate or a length is not finite.
     #[error("{name} has the coordinate {value}, which no drawing has")]

@@ -11,8 +11,8 @@ pub(crate) enum Kind {
     },
     /// A shaft that spins, with its radius on the paper.
     Spinning(f64),
-    /// A disc on a shaft, with its radius on the paper.
-    Disc(f64),
+    /// A disc on a shaft, whose last end is at its rim.
+    Disc,
     /// A beam in space with ball joints at both ends.
     Bar,
     Rod,
@@ -57,7 +57,7 @@ impl Kind {
             "mass" => Kind::Mass,
             "inertia" => Kind::Inertia,
             "pointmass" => Kind::PointMass,
-            "disc" => Kind::Disc(0.0),
+            "disc" => Kind::Disc,
             "spinningbeam" | "dampedspinningbeam" => Kind::Spinning(0.0),
             "lever" | "levercolumn" => Kind::Lever,
             _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
@@ -65,19 +65,11 @@ impl Kind {
             _ if has("hinge") => Kind::ElasticHinge,
             _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
             _ if has("spring") && torsion => Kind::TorsionSpring,
+            "crosscoupledspring" => Kind::SpringDamper,
             _ if has("damper") && has("spring") => Kind::SpringDamper,
             _ if has("damper") => Kind::Damper,
             _ if has("spring") => Kind::Spring,
             _ => Kind::Other,
-        }
-    }
-
-    /// The symbol with the radius of a round part on the paper.
-    pub(crate) fn of_radius(self, radius: f64) -> Kind {
-        match self {
-            Kind::Spinning(_) => Kind::Spinning(radius),
-            Kind::Disc(_) => Kind::Disc(radius),
-            other => other,
         }
     }
 
@@ -117,7 +109,7 @@ impl Kind {
         matches!(
             self,
             Kind::PointMass
-                | Kind::Disc(_)
+                | Kind::Disc
                 | Kind::Mass
                 | Kind::Inertia
                 | Kind::Pin

@@ -3,7 +3,7 @@
 mod bodies;
 pub(crate) mod convex;
 mod joints;
-mod rotors;
+pub(crate) mod rotors;
 mod solids;
 mod springs;
 
@@ -26,7 +26,7 @@ pub(crate) fn inks(kind: Kind, sight: &Sight, rest: &[Vector], (ends, curve): (&
             inks
         }
         Kind::Spinning(radius) => rotors::shaft(radius, line().line_at(0)),
-        Kind::Disc(radius) => rotors::disc(radius, from),
+        Kind::Disc => rotors::disc(from, ends[2]),
         Kind::Rod | Kind::Shaft | Kind::Bar => vec![Ink::new(Pen::Rod, line())],
         Kind::Line => vec![Ink::new(Pen::Thin, line())],
         Kind::Lever => vec![Ink::new(Pen::Rod, line())],

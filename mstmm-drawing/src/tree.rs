@@ -4,6 +4,7 @@ use crate::anchors::Scale;
 use crate::error::DrawingError;
 use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_of};
 use crate::kind::Kind;
+use crate::symbols::rotors::{factor, radius_of_disc};
 use crate::tree_places::{Beside, Edge, TreePlaces, places, way_of};
 use crate::vector::{Vector, plus};
 use crate::view::Sight;
@@ -46,7 +47,20 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
         add_element(&mut figure, &steps[*step], ends, deflection);
     }
     add_supports(&mut figure, &steps, &place_of);
+    scale_shafts(&mut figure);
     Ok(figure)
+}
+
+/// Scales all radii of shafts alike, so that they are seen.
+fn scale_shafts<M>(figure: &mut Figure<M>) {
+    let radii =
+        figure.parts.iter().filter_map(|part| if let Kind::Spinning(radius) = part.kind { Some(radius) } else { None });
+    let factor = factor(radii);
+    for part in &mut figure.parts {
+        if let Kind::Spinning(radius) = &mut part.kind {
+            *radius *= factor;
+        }
+    }
 }
 
 /// Whether the state of a path has displacements across x, on which others hang.
@@ -138,8 +152,8 @@ fn beside<M>(figure: &mut Figure<M>, ends: [usize; 2], beside: Option<Beside>, s
 
 fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize; 2], deflection: Deflection) {
     let (DrawnPart::Element { kind: word, extent }, Some(label)) = (step.part, step.label) else { return };
-    let (kind, Deflection { along, is_rotation }) =
-        (Kind::of(word).of_radius(extent.radius * figure.scale), deflection);
+    let (mut kind, Deflection { along, is_rotation }) = (Kind::of(word), deflection);
+    let radius = extent.radius * figure.scale;
     let mut ends = Vec::from(ends);
     if let Some(centre) = extent.centre {
         let at = figure.anchors[ends[0]].at;
@@ -150,6 +164,16 @@ fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize;
             moves: Moves::Tied { anchor: ends[0], arm: [centre[0], centre[1], 0.0] },
             name: None,
         });
+    }
+    match &mut kind {
+        Kind::Spinning(own) => *own = radius,
+        Kind::Disc => {
+            let (at, radius) = (figure.anchors[ends[0]].at, radius_of_disc(radius));
+            let moves = Moves::Tied { anchor: ends[0], arm: [0.0, radius / figure.scale, 0.0] };
+            ends.push(figure.anchors.len());
+            figure.anchors.push(Anchor { at: [at[0], at[1] - radius], moves, name: None });
+        }
+        _ => {}
     }
     let length = extent.output[0];
     let is_long = length > 0.0 && !matches!(kind, Kind::Body | Kind::Lever) && !step.space.contains(Freedoms::X);

@@ -204,6 +204,8 @@ fn searches_for_speeds_say_what_is_wrong() {
     }
     let error = critical_speeds::<4, _>(2.0..=1.0, Whirl::Forward, 1.0, build).err();
     assert_eq!(error, Some(SpeedError::Search(SearchError::Range { start: 2.0, end: 1.0 })));
+    let error = critical_speeds::<4, _>(-1.0..=1.0, Whirl::Forward, 1.0, build).err();
+    assert_eq!(error, Some(SpeedError::Negative { speed: -1.0 }));
     let error = critical_speeds::<1, _>(1.0..=1e5, Whirl::Backward, 1.0, build).err();
     assert_eq!(error, Some(SpeedError::Search(SearchError::Capacity { capacity: 1 })));
     // bearings that stiffen faster than the speed grows

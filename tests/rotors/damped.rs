@@ -109,10 +109,11 @@ fn a_disc_on_a_seal_has_its_threshold() {
     assert_eq!(error, Some(SpeedError::Grows { speed: 600.0 }));
     let error = stability_threshold(1e3..=1.0, Whirl::Forward, region.clone(), build).err();
     assert_eq!(error, Some(SpeedError::Search(SearchError::Range { start: 1e3, end: 1.0 })));
-    for region in [Region { re: -1.0..=10.0, ..region.clone() }, Region { im: -1.0..=50.0, ..region }] {
-        let error = stability_threshold(1.0..=1e3, Whirl::Forward, region, build).err();
-        assert!(matches!(error, Some(SpeedError::Search(_))), "{error:?}");
-    }
+    let error =
+        stability_threshold(1.0..=1e3, Whirl::Forward, Region { re: -1.0..=10.0, ..region.clone() }, build).err();
+    assert_eq!(error, Some(SpeedError::Region { re: -1.0 }));
+    let error = stability_threshold(1.0..=1e3, Whirl::Forward, Region { im: -1.0..=50.0, ..region }, build).err();
+    assert!(matches!(error, Some(SpeedError::Search(SearchError::OtherWhirl { .. }))), "{error:?}");
 }
 
 system! {
@@ -286,4 +287,21 @@ fn thresholds_are_narrow_beside_speeds_that_say_nothing() {
     let region = Region { re: 0.0..=10.0, im: 1.0..=50.0 };
     let found = stability_threshold(0.0..=100.0, Whirl::Forward, region, flat).unwrap().unwrap();
     assert!(found.lower < 70.0 && found.upper > 70.0 && found.upper < 70.1, "{found:?}");
+}
+
+/// A motion that grows faster than the region is wide is found, and one that nothing damps is told apart.
+#[test]
+fn thresholds_see_fast_growth_and_name_what_is_not_damped() {
+    let (mass, k, c) = (3.0, 1200.0_f64, 4.0);
+    let build = |speed: f64| Seal { mass, k, c, cross: 0.25 * speed, cross_damping: 0.0 }.build();
+    let region = Region { re: 0.0..=0.1, im: 1.0..=50.0 };
+    let found = stability_threshold(1.0..=1e4, Whirl::Forward, region, build).unwrap();
+    assert_threshold(&found.unwrap(), 4.0 * c * (k / mass).sqrt(), (k / mass).sqrt());
+    let undamped = |_: f64| Seal { mass, k, c: 0.0, cross: 0.0, cross_damping: 0.0 }.build();
+    let region = Region { re: 0.0..=1.0, im: 1.0..=50.0 };
+    let error = stability_threshold(1.0..=10.0, Whirl::Forward, region, undamped).err();
+    assert!(
+        matches!(error, Some(SpeedError::Neutral { speed: 1.0, omega }) if (omega - 20.0).abs() < 1e-9),
+        "{error:?}"
+    );
 }

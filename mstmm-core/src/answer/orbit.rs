@@ -20,7 +20,7 @@ pub trait WhirlAnalysis: Spinning + Planned {
     /// The speed is that of the model that was built; a negative one turns backward.
     ///
     /// # Errors
-    /// As [`FrequencyResponse::at`](crate::FrequencyResponse::at); [`MotionError::Resonance`] at an undamped critical speed.
+    /// As [`FrequencyResponse::at`](crate::FrequencyResponse::at). Beside an undamped critical speed the motion is as large as the distance from it is small.
     fn unbalance<T>(
         &self,
         speed: T,

@@ -26,6 +26,23 @@ pub enum SpeedError {
         /// The speed [rad/s].
         speed: f64,
     },
+    /// A motion neither grows nor decays at an end of a range.
+    Neutral {
+        /// The speed [rad/s].
+        speed: f64,
+        /// The frequency of the motion [rad/s].
+        omega: f64,
+    },
+    /// The region of a threshold does not begin at `Re λ = 0`.
+    Region {
+        /// Where its real part begins [1/s].
+        re: f64,
+    },
+    /// A range of critical speeds begins below zero.
+    Negative {
+        /// Its first speed [rad/s].
+        speed: f64,
+    },
     /// Fewer frequencies are below the line of the order as the speed grows: bearings that stiffen with the speed have no critical speeds that counts
     /// could certify.
     Falls {
@@ -42,6 +59,17 @@ impl fmt::Display for SpeedError {
             SpeedError::Order { order } => write!(f, "the order of a critical speed is a positive number, not {order}"),
             SpeedError::Grows { speed } => {
                 write!(f, "a motion grows at the first speed already, {speed} rad/s: begin below the threshold")
+            }
+            SpeedError::Neutral { speed, omega } => {
+                write!(
+                    f,
+                    "at the speed {speed} rad/s the motion with Im λ = {omega} rad/s neither grows nor decays: "
+                )?;
+                write!(f, "damp it, or leave it out of the region")
+            }
+            SpeedError::Region { re } => write!(f, "the region of a threshold begins at Re λ = 0, not at {re}"),
+            SpeedError::Negative { speed } => {
+                write!(f, "critical speeds are zero or positive, but the range begins at {speed} rad/s")
             }
             SpeedError::Falls { speed } => {
                 write!(

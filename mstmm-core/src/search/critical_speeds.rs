@@ -50,8 +50,8 @@ impl<const CAP: usize> Deref for CriticalSpeeds<CAP> {
 /// K is positive.
 ///
 /// # Errors
-/// [`SpeedError::Parameter`] where the function fails, [`SpeedError::Order`] for an order that is not positive, [`SpeedError::Falls`] where fewer frequencies
-/// are below the line of the order at a larger speed, and [`SpeedError::Search`] for a range that is empty, negative or not finite, more than `CAP` speeds, a
+/// [`SpeedError::Parameter`] where the function fails, [`SpeedError::Order`] for an order that is not positive, [`SpeedError::Negative`] for a range that begins below zero, [`SpeedError::Falls`] where fewer frequencies
+/// are below the line of the order at a larger speed, and [`SpeedError::Search`] for a range that is empty or not finite, more than `CAP` speeds, a
 /// rotor that nothing holds, [`Zero`](SearchError::Zero), or with motions that grow at rest, [`Unstable`](SearchError::Unstable).
 ///
 /// # Source
@@ -67,7 +67,7 @@ pub fn critical_speeds<const CAP: usize, Y: Undamped<Parameter = f64>>(
         return Err(SpeedError::Order { order });
     }
     if start < 0.0 {
-        return Err(SearchError::Range { start, end }.into());
+        return Err(SpeedError::Negative { speed: start });
     }
     let mut is_proven = true;
     let sample = |speed: f64| {

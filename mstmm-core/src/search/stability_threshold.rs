@@ -60,13 +60,15 @@ impl AtSpeed {
 /// The speed of a range \[rad/s\] from which on a motion of a whirl grows, with eigenvalues in a region above the real axis: `None` where none of these grows at
 /// the last speed.
 ///
-/// The region begins at `Re λ = 0`, and reaches as far to the left as to the right while the eigenvalue is followed. Both ends of the interval are
+/// The region begins at `Re λ = 0`. The end of its real part is a rate of decay up to which eigenvalues are followed to the left; to the right it reaches at least as
+/// far as upwards, so that what grows fast is not lost. Its imaginary part holds the frequencies that may grow, and no undamped one. Both ends of the interval are
 /// certified as their eigenvalues are: where these are proven, it is a theorem that at `lower` the motions that were found decay and that at `upper` one grows. A growth
 /// that begins and ends again within the range is not seen.
 ///
 /// # Errors
-/// [`SpeedError::Parameter`] where the function fails, [`SpeedError::Grows`] where a motion grows at the first speed already, and [`SpeedError::Search`] for a range
-/// that is empty or not finite, a region that does not begin at zero or reaches down to the real axis, or a search that fails.
+/// [`SpeedError::Parameter`] where the function fails, [`SpeedError::Grows`] where a motion grows at the first speed already, [`SpeedError::Neutral`] where one
+/// neither grows nor decays at an end of the range, [`SpeedError::Region`] for a region that does not begin at zero, and [`SpeedError::Search`] for a range that is empty or
+/// not finite, a region that reaches below the real axis, or a search that fails.
 ///
 /// # Source
 /// Signs of the real parts of eigenvalues, which change where a whirl is neither damped nor driven.
@@ -82,9 +84,10 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
     }
     let (from, width) = (*region.re.start(), *region.re.end());
     if from != 0.0 {
-        return Err(SearchError::Range { start: from, end: width }.into());
+        return Err(SpeedError::Region { re: from });
     }
-    let region = Region { re: -width..=width, ..region };
+    // what grows fast is not lost to the right
+    let region = Region { re: -width..=width.max(*region.im.end()), ..region };
     let mut at = |speed: f64| -> Result<AtSpeed, SpeedError> {
         let rotor = build(speed).map_err(|error| SpeedError::Parameter { speed, error })?;
         let roots = rotor.whirl(whirl).eigenvalues::<ROOM>(region.clone())?;
@@ -95,8 +98,8 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
         (Some(false), Some(true)) => narrowed(lower, upper, &mut at).map(threshold),
         (Some(false), Some(false)) => Ok(None),
         (Some(true), _) => Err(SpeedError::Grows { speed: start }),
-        (None, _) => Err(unresolved(&lower).into()),
-        (_, None) => Err(unresolved(&upper).into()),
+        (None, _) => Err(neutral(&lower)),
+        (_, None) => Err(neutral(&upper)),
     }
 }
 
@@ -152,7 +155,7 @@ fn threshold([lower, upper]: [AtSpeed; 2]) -> Option<Threshold> {
     upper.growing.map(|eigenvalue| Threshold { speed, lower: lower.speed, upper: upper.speed, eigenvalue })
 }
 
-/// The error of a growth of zero.
-fn unresolved(at: &AtSpeed) -> SearchError {
-    SearchError::Unresolved { near: at.growing.map_or(0.0, |root| root.lambda.im) }
+/// The error of a motion that neither grows nor decays.
+fn neutral(at: &AtSpeed) -> SpeedError {
+    SpeedError::Neutral { speed: at.speed, omega: at.growing.map_or(0.0, |root| root.lambda.im) }
 }

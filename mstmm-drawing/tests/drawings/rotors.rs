@@ -113,3 +113,22 @@ fn a_campbell_diagram_has_its_curves_its_orders_and_its_critical_speeds() {
     assert_eq!(of_class("critical").len(), critical.len());
     assert!(matches!(CampbellDiagram::of::<3>(&[]), Err(DrawingError::Empty)));
 }
+
+/// A disc tilts with its shaft: its sides stay as they are, and turn.
+#[test]
+fn discs_tilt_with_the_shaft() {
+    let rotor = Stepped { speed: 100.0 }.build().unwrap();
+    let system = rotor.whirl(Whirl::Forward);
+    let shape = system.mode_shape(&system.first_frequencies::<1>().unwrap()[0]).unwrap();
+    let svg = Drawing::of(system).unwrap().mode(&shape).unwrap().to_string();
+    let document = Document::parse(&svg).unwrap();
+    let disc = |class: &str| {
+        let group = document.descendants().find(|node| node.attribute("class") == Some(class)).unwrap();
+        let part = group.descendants().find(|node| node.attribute("data-name") == Some("disc 3")).unwrap();
+        points(&part.children().find(Node::is_element).unwrap())
+    };
+    let side = |corners: Vec<[f64; 2]>| [corners[2][0] - corners[1][0], corners[2][1] - corners[1][1]];
+    let (rest, moved) = (side(disc("model rest")), side(disc("mode still")));
+    assert!(rest[0].abs() < 0.02 && moved[0].abs() > 1.0, "{rest:?} {moved:?}");
+    assert!((moved[1] - rest[1]).abs() < 0.03, "{rest:?} {moved:?}");
+}

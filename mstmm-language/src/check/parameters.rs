@@ -70,7 +70,7 @@ fn instead_of(
     if CROSS.contains(&name.as_str()) && keyword == "spring" {
         return "it is that of a seal beside a rotor, in a line of paths without places".to_owned();
     }
-    if name == SPEED || name == SPIN[0] && element.dimension == Dimension::Line {
+    if name == SPEED || name == SPIN[0] && (element.dimension == Dimension::Line || element.gives(SPEED)) {
         let taper = if keyword == "tapered_beam" { ": that of a blade about its hub is `rotation_speed`" } else { "" };
         return format!("a `beam` and a `disc` spin, in a line of paths without places{taper}");
     }

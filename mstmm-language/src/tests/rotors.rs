@@ -72,12 +72,12 @@ fn what_spins_stands_in_a_line_of_paths() {
         struct M { l: f64, k: f64 }
         fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: k, bending_stiffness: k, mass_per_length: k, rotary_inertia: k,
             polar_inertia_per_length: k, speed: k } -> conn a at (l, 0.0);
-            ^^^^^^^^^^^^^^^^^^^^^^^^ `beam` has no parameter `polar_inertia_per_length`: it has that in space
-            | alone, so remove it
+            ^^^^^^^^^^^^^^^^^^^^^^^^ `beam` has no parameter `polar_inertia_per_length`: a `beam` and a `disc`
+            | spin, in a line of paths without places
                                          ^^^^^ `beam` has no parameter `speed`: a `beam` and a `disc` spin, in
                                          | a line of paths without places
         conn a <- disc 2 { mass: k, inertia: k, polar_inertia: k, speed: k } <- free;
-                  ^^^^ `disc` stands in a line of paths without places: take `point_mass`
+                  ^^^^ `disc` spins, which nothing with places does: take `point_mass`
         fixed -> spring 3 { stiffness: k, cross_stiffness: k } -> along (0.0, 1.0) -> conn a;
                                           ^^^^^^^^^^^^^^^ `spring` has no parameter `cross_stiffness`: it is
                                           | that of a seal beside a rotor, in a line of paths without places

@@ -154,7 +154,7 @@ fn check_located_element(element: &Element, model: &Model, dimension: Dimension,
 /// Why a keyword has no place in a model.
 fn reason(row: &LocatedKeyword, dimension: Dimension) -> &'static str {
     match row.role {
-        Role::Unknown if row.name == DISC => "stands in a line of paths without places",
+        Role::Unknown if row.name == DISC => "spins, which nothing with places does",
         Role::Unknown => "has its points by offsets, which places replace",
         Role::Joint if dimension == Dimension::Space => "is a joint of the plane",
         Role::Joint if row.is_of_space() => "is a joint of space",
