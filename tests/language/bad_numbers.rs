@@ -19,7 +19,7 @@ impl Range {
             Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
             Range::ZeroOrRigid => &[-TINY, TINY, 1e-309, -1.0, f64::MIN],
             Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
-            Range::Position => &[],
+            Range::Position | Range::Speed => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
             Range::Taper => &[0.999_999_1, 1.0, 2.0, f64::MAX, -1.000_001e6, f64::MIN],
@@ -46,6 +46,8 @@ impl Range {
             Range::Tension => &[-1.999, -TINY, 0.0, 1.0, 1e20],
             // a mass centre at ±1 needs just the inertia of 1 that there is
             Range::Position => &[-1.0, -TINY, 0.0, TINY, 1.0],
+            // at 1 the stiffness of the material vanishes at λ = -1 + i
+            Range::Speed => &[-1.0, -TINY, 0.0, TINY, 2.0, f64::MAX],
         }
     }
 }

@@ -1,9 +1,11 @@
 //! The whirl frequencies and critical speeds of tests/data/rotors.json, and those of ROSS beside them.
 #![expect(clippy::unwrap_used, reason = "a file that is not as it should be fails the test")]
 
+use mstmm::elements::{Disc, Spring};
+use mstmm::frame::{Frame, Ground, RotorStructure, Section};
 use mstmm::number::{DoubleDouble, Parameter};
 use mstmm::prelude::*;
-use mstmm::search::{Rotor, critical_speeds};
+use mstmm::search::{Rotor, Spinning, critical_speeds};
 use serde_json::Value;
 
 system! {
@@ -126,7 +128,7 @@ fn lies_in(exact: DoubleDouble, [lower, upper]: [f64; 2], room: f64) -> bool {
 }
 
 /// Holds the frequencies of both whirls at all speeds of a case, and its critical speeds, to the file, with eps of what a sketch rounds of its numbers.
-fn check<Y: Undamped<Parameter = f64>>(case: &Value, room: f64, build: impl Fn(f64) -> Rotor<Y>) -> usize {
+fn check<Y: Undamped<Parameter = f64> + Spinning>(case: &Value, room: f64, build: impl Fn(f64) -> Rotor<Y>) -> usize {
     let mut compared = 0;
     for at in case["at"].as_array().unwrap() {
         let rotor = build(at["speed"].as_f64().unwrap());
@@ -167,6 +169,38 @@ fn two_discs_on_a_shaft_have_their_frequencies_and_critical_speeds() {
 #[test]
 fn a_shaft_of_many_steps_has_its_frequencies_and_critical_speeds() {
     assert_eq!(check(&case("nelson_mcvaugh"), 0.5, |speed| Nelson { speed }.build().unwrap()), 12 + 6);
+}
+
+/// The rotor of a case at run time, at a speed.
+fn frame_of(case: &Value, speed: f64) -> Rotor<RotorStructure> {
+    let list = |name: &str| case[name].as_array().unwrap().clone();
+    let mut frame = Frame::new();
+    let points: Vec<_> = list("x").iter().map(|x| frame.point(x.as_f64().unwrap())).collect();
+    for (ends, member) in points.windows(2).zip(list("members")) {
+        let [ei, m, kga, r, rp] = [0, 1, 2, 3, 4].map(|place| member[place].as_f64());
+        let section = Section::new().bending_stiffness(ei.unwrap()).mass_per_length(m.unwrap());
+        let section = kga.map_or(section, |kga| section.shear_stiffness(kga));
+        let section = section.rotary_inertia(r.unwrap()).polar_inertia_per_length(rp.unwrap()).speed(speed);
+        frame.member(ends[0], ends[1], section);
+    }
+    let at = |part: &Value| points[usize::try_from(part[0].as_u64().unwrap()).unwrap()];
+    for disc in list("discs") {
+        let [mass, inertia, polar_inertia] = [1, 2, 3].map(|place| disc[place].as_f64().unwrap());
+        frame.body([at(&disc)], Disc { mass, inertia, polar_inertia, speed });
+    }
+    for bearing in list("bearings") {
+        frame.member(at(&bearing), Ground, Spring { stiffness: bearing[1].as_f64().unwrap() });
+    }
+    frame.build_rotor().unwrap()
+}
+
+/// Rotors whose topology and numbers are read from the file have its values, too: lengths are differences of places, which proofs have exactly.
+#[test]
+fn rotors_from_a_file_have_its_frequencies_and_critical_speeds() {
+    for (name, values) in [("friswell_5_9_1", 16 + 6), ("nelson_mcvaugh", 12 + 6)] {
+        let case = case(name);
+        assert_eq!(check(&case, 0.0, |speed| frame_of(&case, speed)), values);
+    }
 }
 
 /// What six elements of ROSS have at 4000 rpm, beside the intervals: their digits are not the exact ones.

@@ -3,7 +3,9 @@
 
 use crate::numbers::Random;
 use crate::polynomial_elements::{Disc, Member, Shafts};
+use mstmm::element::ParameterError;
 use mstmm::prelude::*;
+use mstmm::search::Spinning;
 use std::cell::Cell;
 
 /// A part of a shaft.
@@ -152,7 +154,7 @@ system! {
 
 /// A rotor at a speed, as both tell it.
 pub(crate) trait Topology: Sized {
-    type System: Undamped<Parameter = f64>;
+    type System: Undamped<Parameter = f64> + Spinning<BuildError = ParameterError>;
 
     fn rotor(numbers: Numbers, speed: f64) -> mstmm::search::Rotor<Self::System>;
 

@@ -66,7 +66,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
 }
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> FrameSensitivities<'_, D, E, S> {
-    /// The derivative with respect to a parameter of a member, by the name that its section or its struct has, or to `mass` or `inertia` of a body; in
+    /// The derivative with respect to a parameter of a member, by the name that its section or its struct has, or to `mass` or `inertia` of a body and to
+    /// `polar_inertia` and `speed` of a disc; in
     /// space to `inertia_xx`, `_yy`, `_zz`, `_xy`, `_yz` or `_zx`, each entry of the tensor that stands twice once.
     ///
     /// # Errors
@@ -92,11 +93,11 @@ where
 impl<D, E, S> Asked<D, E, S> for Body
 where
     D: Dimension,
-    E: MemberElement<Parameter = f64>,
+    E: MemberElement<Parameter = f64> + MemberSlopes<S>,
     S: PlaneFrequency<f64>,
 {
     fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
-        let FrameSensitivities { frame, shape, .. } = sensitivities;
+        let FrameSensitivities { frame, shape, works } = sensitivities;
         let (node, centre) = frame.body(self)?;
         let position = Placed::node(*frame, node).0.position;
         let to_centre = difference(position, centre).map(S::from_f64);
@@ -106,7 +107,7 @@ where
         let entry = names.iter().position(|entry| *entry == name).map(|entry| by_entries[entry]);
         Ok(match name {
             "mass" => Some(by_mass),
-            _ => entry,
+            _ => entry.or_else(|| frame.slope_of_spin(self, works.as_slice(), name)),
         })
     }
 }

@@ -6,6 +6,8 @@ pub(crate) mod energies;
 pub(crate) mod energy_shares;
 pub(crate) mod force_history;
 #[cfg(feature = "std")]
+pub(crate) mod frame_rotor;
+#[cfg(feature = "std")]
 pub(crate) mod frame_sensitivity;
 pub(crate) mod frequency_response;
 pub(crate) mod interior;

@@ -32,16 +32,29 @@ pub trait WhirlAnalysis: Spinning + Planned {
         Complex<T>: Oscillation<T>,
         Self: System<Parameter = T> + ExtendedTree<Complex<T>> + Sized,
     {
-        let mut sum = Complex::zero();
-        if speed.is_zero() {
-            return Ok(sum);
-        }
-        for (load, size) in unbalances {
-            let response = self.frequency_response(*load, entry)?.at(Complex::<T>::of_omega(speed))?;
-            sum += response * *size * (speed * speed);
-        }
-        Ok(sum)
+        steady_motion(speed, unbalances, |load, lambda| self.frequency_response(load, entry)?.at(lambda))
     }
+}
+
+/// The sum of the responses at `λ = iΩ` to unbalances, each `Ω²` times as large.
+pub(crate) fn steady_motion<T, L>(
+    speed: T,
+    unbalances: &[(L, Complex<T>)],
+    response: impl Fn(L, Complex<T>) -> Result<Complex<T>, MotionError>,
+) -> Result<Complex<T>, MotionError>
+where
+    T: Real,
+    Complex<T>: Oscillation<T>,
+    L: Copy,
+{
+    let mut sum = Complex::zero();
+    if speed.is_zero() {
+        return Ok(sum);
+    }
+    for (load, size) in unbalances {
+        sum += response(*load, Complex::<T>::of_omega(speed))? * *size * (speed * speed);
+    }
+    Ok(sum)
 }
 
 impl<Y: Spinning + Planned> WhirlAnalysis for Y {}
@@ -56,6 +69,20 @@ pub struct Orbit<T> {
 }
 
 impl<T: Real> Orbit<T> {
+    /// The orbit under a load that does not turn, of which half excites each whirl, given the response of a whirl at λ.
+    pub(crate) fn of_whirls(
+        omega: T,
+        response: impl Fn(Whirl, Complex<T>) -> Result<Complex<T>, MotionError>,
+    ) -> Result<Self, MotionError>
+    where
+        Complex<T>: Oscillation<T>,
+    {
+        let half = T::from_f64(0.5);
+        let of = |whirl| response(whirl, Complex::<T>::of_omega(omega)).map(|value| value * half);
+        // backward whirl sees the conjugate motion
+        Ok(Orbit { forward: of(Whirl::Forward)?, backward: of(Whirl::Backward)?.conj() })
+    }
+
     /// Half the axes of the ellipse, the longer one first; the second is negative where the point goes round backward.
     pub fn semi_axes(&self) -> [T; 2] {
         let [forward, backward] = [self.forward, self.backward].map(modulus);
@@ -82,12 +109,6 @@ where
     /// # Errors
     /// As [`FrequencyResponse::at`](crate::FrequencyResponse::at), of either whirl.
     pub fn orbit(&self, load: Load<Y::Model>, entry: Entry<Y::Model>, omega: T) -> Result<Orbit<T>, MotionError> {
-        let half = T::from_f64(0.5);
-        let response = |whirl| {
-            let response = self.whirl(whirl).frequency_response(load, entry)?;
-            response.at(Complex::<T>::of_omega(omega)).map(|value| value * half)
-        };
-        // backward whirl sees the conjugate motion
-        Ok(Orbit { forward: response(Whirl::Forward)?, backward: response(Whirl::Backward)?.conj() })
+        Orbit::of_whirls(omega, |whirl, lambda| self.whirl(whirl).frequency_response(load, entry)?.at(lambda))
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::answer::dominant_entry::Candidate;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
-use crate::answer::root::{Root, is_below_losses};
+use crate::answer::root::{Root, check_at_rest, is_below_losses};
 use crate::answer::states::SystemStates;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Scalar, Scaled, Single};
@@ -25,10 +25,7 @@ where
     if is_below_losses(system, root.frequency()) {
         return Err(MotionError::LossFactor);
     }
-    // about rest the poles of a rotor are of several orders
-    if const { Y::SPINS } && root.frequency().is_zero() {
-        return Err(MotionError::ZeroFrequency);
-    }
+    check_at_rest(system, root.frequency())?;
     let mut list = ShapeList { shapes: [const { None }; CAP] };
     if root.multiplicity() > 1 {
         let plain = shapes(system, root.frequency(), root.multiplicity(), &mut list.shapes);

@@ -1,7 +1,7 @@
 //! The roots that questions about motions take: natural frequencies and eigenvalues.
 
 use crate::model::MotionError;
-use crate::number::{Oscillation, Real};
+use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::characteristic::System;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::undamped::found::NaturalFrequency;
@@ -67,6 +67,11 @@ where
     S: Oscillation<Y::Parameter>,
 {
     x.to_complex().im < Y::Parameter::zero() && system.frequency_estimates().has_loss()
+}
+
+/// Refuses rest to rotors: about it their poles are of several orders, and motions there have no modal mass.
+pub(crate) fn check_at_rest<Y: System + ?Sized, S: Scalar>(_system: &Y, x: S) -> Result<(), MotionError> {
+    if const { Y::SPINS } && x.is_zero() { Err(MotionError::ZeroFrequency) } else { Ok(()) }
 }
 
 /// The frequency of a simple root.

@@ -93,7 +93,10 @@ pub trait MemberElement: Copy + Debug {
     /// Whether some member of this type may have a negative stiffness at rest.
     const MAY_BUCKLE: bool = false;
 
-    /// Whether this member may.
+    /// Whether some member of this type may spin.
+    const SPINS: bool = false;
+
+    /// Whether this member may buckle.
     fn may_buckle(_built: &Self::Built) -> bool {
         Self::MAY_BUCKLE
     }

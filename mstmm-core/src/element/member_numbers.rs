@@ -151,6 +151,8 @@ pub enum MemberNumbers {
     SpinningBeam(BeamNumbers, SpinNumbers),
     /// A beam that spins with damping.
     DampedSpinningBeam(BeamNumbers, DampingNumbers, SpinNumbers),
+    /// The gyroscopic moment between the rotations of both ends.
+    Gyroscope(SpinNumbers),
     /// A point mass that spins.
     Disc(BodyNumbers, SpinNumbers),
     /// A tapered beam, which rotates or not.

@@ -1,12 +1,17 @@
 //! Spring of a seal or a fluid film, which pushes a whirling shaft along its path.
 
-use crate::element::{BackTransfer, Element, Energies, MemberNumbers, PlaneStep, Spins, TransferMatrix};
+use crate::element::{
+    BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
+    MemberWork, PlaneStep, Spins, TransferMatrix, along_member,
+};
+use crate::elements::shared::connector::connector;
 use crate::elements::shared::damped_stiffness::DampedStiffness;
 use crate::elements::shared::line_forms::{elongations, half, unit_of};
 use crate::elements::shared::line_step::{back_through_stiffness, through_stiffness};
-use crate::elements::shared::massless::off_pole;
-use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement, Translation};
+use crate::elements::shared::massless::{elongation, off_pole};
+use crate::model::{EndMotion, Ends, FrequencyEstimates, InvalidParameter, Requirement, Translation};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Single, Truth};
+use crate::structure::Chart;
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Coordinate;
 use nalgebra::Matrix2;
@@ -61,6 +66,28 @@ impl<T: Parameter> BuiltCrossCoupledSpring<T> {
     fn size(&self, lambda: f64) -> f64 {
         let [stiffness, damping] = self.cross.map(|part| part.to_f64().abs());
         self.spring.size(lambda) + stiffness + damping * lambda
+    }
+}
+
+impl<T: Real> BuiltCrossCoupledSpring<T> {
+    /// The forms of two motions, the first at λ, given the product of their elongations.
+    fn forms<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, product: S) -> Forms<S> {
+        let Forms { mass, stiffness, damping } = self.spring.forms(lambda, product);
+        let [across, swept] = self.cross.map(|term| quarter_turn_back::<T, S>() * (product * term));
+        Forms { mass, stiffness: stiffness + across, damping: damping + swept }
+    }
+
+    /// The derivatives of the dynamic work with respect to all parameters, given the square of the elongation.
+    fn gradient<S: ComplexFrequency<T> + Oscillation<T>>(&self, lambda: S, square: S) -> CrossCoupledSpring<S> {
+        let [stiffness, loss_factor, kelvin_voigt_time, damping] = self.spring.gradient(lambda, square);
+        let cross_stiffness = quarter_turn_back::<T, S>() * half(square) * self.sense;
+        let cross_damping = cross_stiffness * lambda;
+        CrossCoupledSpring { stiffness, loss_factor, kelvin_voigt_time, damping, cross_stiffness, cross_damping }
+    }
+
+    /// The elongation between both ends of a member.
+    fn elongation<S: ComplexFrequency<T> + Oscillation<T>>(&self, x: S, ends: &[EndMotion<S>; 2]) -> S {
+        elongation(self.at(x), self.size(S::size(x)), ends, 0)
     }
 }
 
@@ -121,6 +148,28 @@ impl<T: Parameter, S: ComplexFrequency<T>> PlaneStep<S> for CrossCoupledSpring<T
     }
 }
 
+impl<T: Parameter, S: ComplexFrequency<T>> Charted<S> for CrossCoupledSpring<T> {
+    fn chart(built: &Self::Built, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
+        connector(built.at(at.x), along_member::<Self>())
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for CrossCoupledSpring<T> {
+    fn forms(built: &Self::Built, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
+        let [one, other] = [first, second].map(|motion| built.elongation(motion.x, &motion.ends));
+        built.forms(first.x, one * other)
+    }
+}
+
+impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for CrossCoupledSpring<T> {
+    type Gradient = CrossCoupledSpring<S>;
+
+    fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> CrossCoupledSpring<S> {
+        let elongation = built.elongation(work.x, &work.ends);
+        built.gradient(work.x, elongation * elongation)
+    }
+}
+
 impl<T: Real, S: ComplexFrequency<T>> BackTransfer<S> for CrossCoupledSpring<T> {
     type BackCoefficients = S;
     const SYMMETRIC: bool = true;
@@ -150,21 +199,15 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> Energies<S> for CrossCoup
     }
 
     fn stiffness_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S {
-        let product = elongations(Coordinate::Y, first, second);
-        built.spring.forms(first.x, product).stiffness + quarter_turn_back::<T, S>() * (product * built.cross[0])
+        built.forms(first.x, elongations(Coordinate::Y, first, second)).stiffness
     }
 
     fn damping_form(built: &Self::Built, first: &Ends<S>, second: &Ends<S>) -> S {
-        let product = elongations(Coordinate::Y, first, second);
-        built.spring.forms(first.x, product).damping + quarter_turn_back::<T, S>() * (product * built.cross[1])
+        built.forms(first.x, elongations(Coordinate::Y, first, second)).damping
     }
 
     fn gradient(built: &Self::Built, ends: &Ends<S>) -> CrossCoupledSpring<S> {
-        let square = elongations(Coordinate::Y, ends, ends);
-        let [stiffness, loss_factor, kelvin_voigt_time, damping] = built.spring.gradient(ends.x, square);
-        let cross_stiffness = quarter_turn_back::<T, S>() * half(square) * built.sense;
-        let cross_damping = cross_stiffness * ends.x;
-        CrossCoupledSpring { stiffness, loss_factor, kelvin_voigt_time, damping, cross_stiffness, cross_damping }
+        built.gradient(ends.x, elongations(Coordinate::Y, ends, ends))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The nodes and members of a frame: points that bodies tie are one node, supports hold it, paths have nodes of their own.
 
 use crate::elements::any_member::AnyMember;
+use crate::elements::rotor_member::RotorMember;
 use crate::frame::bodies::is_mass;
 use crate::frame::dimension::Dimension;
 use crate::frame::ends::{End, Seat};
@@ -17,7 +18,7 @@ use std::vec;
 use std::vec::Vec;
 
 /// A part of a member of the network that a frame is.
-pub(crate) type NetworkPart = Part<AnyMember<f64>>;
+pub(crate) type NetworkPart = Part<RotorMember<f64>>;
 
 /// The nodes and members of a frame.
 pub(crate) struct Assembly<'f, D: Dimension> {
@@ -35,6 +36,8 @@ pub(crate) struct Assembly<'f, D: Dimension> {
     pub(crate) points: Vec<Tied>,
     /// The node and the mass centre of each body.
     pub(crate) bodies: Vec<(usize, [f64; 3])>,
+    /// The bodies that spin, each with the part of its gyroscopic moment.
+    pub(crate) discs: Vec<(usize, usize)>,
     /// The freedoms that members and bodies bring to each point.
     brought: Vec<Freedoms>,
     pub(super) paths: Vec<usize>,
@@ -61,6 +64,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             first_parts: Vec::new(),
             points: Vec::new(),
             bodies: Vec::new(),
+            discs: Vec::new(),
             brought: vec![Freedoms::NONE; frame.points.len()],
             paths: Vec::new(),
             ground: None,
@@ -77,6 +81,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
         }
         assembly.first_parts.push(assembly.parts.len());
         frame.masses.iter().for_each(|mass| assembly.add_mass(&mass.on, mass.mass));
+        assembly.spin_discs();
         (0..frame.points.len()).for_each(|point| assembly.hold(point));
         assembly.settle();
         assembly
@@ -171,7 +176,7 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     }
 
     /// The node of the ground.
-    fn ground(&mut self) -> usize {
+    pub(super) fn ground(&mut self) -> usize {
         let ground = self.ground.unwrap_or_else(|| {
             self.add_node(PlacedNode::at([0.0; 3]).held(Freedoms::SPACE), String::from("the ground"), true)
         });
@@ -215,8 +220,8 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             Err(mistake) => return self.fail(name, mistake),
         };
         let is_rigid = parts.iter().all(|(_, element)| match element {
-            AnyMember::Joint(joint) => joint.is_rigid(),
-            AnyMember::DampedJoint(joint) => joint.is_rigid(),
+            RotorMember::Standing(AnyMember::Joint(joint)) => joint.is_rigid(),
+            RotorMember::Standing(AnyMember::DampedJoint(joint)) => joint.is_rigid(),
             _ => false,
         });
         if is_rigid && parts.freedoms() == D::FREEDOMS {

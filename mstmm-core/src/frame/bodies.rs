@@ -1,5 +1,6 @@
 //! What ties points rigidly: bodies, links, masses at points.
 
+use crate::elements::gyroscope::Gyroscope;
 use crate::frame::dimension::{Dimension, Line, Plane, Space};
 use crate::frame::tensor::Tensor;
 
@@ -39,11 +40,13 @@ pub struct Rigid<D: Dimension> {
     pub(crate) centre: Option<D::Place>,
     /// Whether the points turn with it, even where it has no inertia.
     pub(crate) turns: bool,
+    /// What spins of it.
+    pub(crate) gyroscope: Option<Gyroscope<f64>>,
 }
 
 impl<D: Dimension> From<RigidLink> for Rigid<D> {
     fn from(_: RigidLink) -> Self {
-        Rigid { mass: 0.0, inertia: [0.0; 6], centre: None, turns: true }
+        Rigid { mass: 0.0, inertia: [0.0; 6], centre: None, turns: true, gyroscope: None }
     }
 }
 
@@ -52,14 +55,15 @@ macro_rules! bodies {
     ($($dimension:ty: $place:ty, $inertia:ty;)*) => {$(
         impl From<RigidBody<$place, $inertia>> for Rigid<$dimension> {
             fn from(RigidBody { mass, inertia, centre }: RigidBody<$place, $inertia>) -> Self {
-                Rigid { mass, inertia: <$dimension>::tensor(inertia), centre: Some(centre), turns: true }
+                let inertia = <$dimension>::tensor(inertia);
+                Rigid { mass, inertia, centre: Some(centre), turns: true, gyroscope: None }
             }
         }
 
         impl From<PointMass<$inertia>> for Rigid<$dimension> {
             fn from(PointMass { mass, inertia }: PointMass<$inertia>) -> Self {
                 let inertia = <$dimension>::tensor(inertia);
-                Rigid { mass, inertia, centre: None, turns: inertia != [0.0; 6] }
+                Rigid { mass, inertia, centre: None, turns: inertia != [0.0; 6], gyroscope: None }
             }
         }
     )*};

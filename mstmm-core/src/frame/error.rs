@@ -21,6 +21,11 @@ pub enum Mistake {
         /// The parameter that it needs.
         parameter: &'static str,
     },
+    /// A shaft that spins names too little.
+    MissingOfShaft {
+        /// The parameter that it needs.
+        parameter: &'static str,
+    },
     /// A section names a parameter for both planes of a member in space, and for one of them.
     Twice {
         /// The parameter of one plane.
@@ -87,6 +92,10 @@ pub enum Mistake {
     Motions,
     /// A member has damping, and the frame is built without.
     Damped,
+    /// A part of a rotor, and the frame is built as one that stands.
+    OfRotor,
+    /// A part of a rotor has damping, and the rotor is built without.
+    DampedRotor,
     /// A body ties no point.
     NoPoint,
     /// A point is held twice.
@@ -107,6 +116,12 @@ impl fmt::Display for Mistake {
                 )
             }
             Mistake::Missing { parameter } => write!(f, "`{parameter}` is missing"),
+            Mistake::MissingOfShaft { parameter } => {
+                write!(
+                    f,
+                    "`{parameter}` is missing: a shaft that spins names `rotary_inertia`, `polar_inertia_per_length` and `speed`"
+                )
+            }
             Mistake::Foreign { element, parameter } => write!(f, "a {element} has no `{parameter}`"),
             Mistake::AxialStiffness => write!(f, "a beam along a line moves across it and has no `axial_stiffness`"),
             Mistake::ShearStiffness { parameter, value } => write!(f, "{parameter} is {value}, but must be positive"),
@@ -133,6 +148,8 @@ impl fmt::Display for Mistake {
                 write!(f, "springs that move and springs that turn meet at this point of a path, or nothing does")
             }
             Mistake::Damped => write!(f, "it has damping: `build_damped()` has eigenvalues"),
+            Mistake::OfRotor => write!(f, "it belongs to a rotor: `build_rotor()` has both whirls"),
+            Mistake::DampedRotor => write!(f, "it has damping: `build_damped_rotor()` has eigenvalues"),
             Mistake::NoPoint => write!(f, "it ties no point"),
             Mistake::HeldTwice => write!(f, "it is held twice: name all that is held at once"),
             Mistake::Apart => write!(f, "nothing joins it to the rest: build two structures"),

@@ -82,6 +82,9 @@ fn needed_in_space(section: &Section, parameter: Parameter) -> Result<f64, Mista
 /// The parts of a beam in space. A bar has no twist.
 fn beam(section: &Section, twists: bool) -> Result<Parts, Mistake> {
     let planes = [in_plane(section, 0)?, in_plane(section, 1)?];
+    if section.get(Parameter::speed).is_some() {
+        return Err(Mistake::Foreign { element: "beam in space", parameter: name_of(Parameter::speed) });
+    }
     let axial_stiffness = needed_in_space(section, Parameter::axial_stiffness)?;
     for (plane, own) in planes.iter().enumerate() {
         let [Pair { planes: bending, .. }, Pair { planes: shear, .. }, ..] = PAIRS;
@@ -127,7 +130,7 @@ fn beam(section: &Section, twists: bool) -> Result<Parts, Mistake> {
         return Err(Mistake::Foreign { element: "bar", parameter: name_of(parameter) });
     }
     let is_symmetric = PAIRS.iter().all(|pair| first.get(pair.both) == second.get(pair.both));
-    Ok(Parts { elements, up: section.z_axis(), is_symmetric, named: section.named() })
+    Ok(Parts { up: section.z_axis(), is_symmetric, named: section.named(), ..Parts::of(elements) })
 }
 
 impl FrameElement<Space> for Section {
@@ -148,7 +151,7 @@ impl FrameElement<Space> for TautString {
                 Strings::Damped(across) => Sideways { across }.into(),
             };
             let elements = [Some(stretching(string(&self.0)?)), Some(second), None];
-            Ok(Parts { elements, up: self.0.z_axis(), is_symmetric: true, named: 0 })
+            Ok(Parts { up: self.0.z_axis(), is_symmetric: true, ..Parts::of(elements) })
         };
         FrameMember::of_parts(parts())
     }

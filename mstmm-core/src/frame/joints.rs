@@ -175,7 +175,7 @@ fn parts(freedoms: Freedoms, hinge: &Hinge) -> Parts {
         && [[Freedoms::Y, Freedoms::Z], [Freedoms::RZ, Freedoms::RY]]
             .iter()
             .all(|[one, other]| freedoms.contains(*one) == freedoms.contains(*other));
-    Parts { elements, up: hinge.up, is_symmetric, named: 0 }
+    Parts { up: hinge.up, is_symmetric, ..Parts::of(elements) }
 }
 
 impl<D: Dimension> FrameElement<D> for Hinge {

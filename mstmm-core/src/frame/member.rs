@@ -2,9 +2,11 @@
 
 use crate::element::CarriesLoad;
 use crate::elements::any_member::{AnyMember, Section as PlainSection};
+use crate::elements::rotor_member::RotorMember;
 use crate::elements::{
-    DampedBeam, DampedRod, DampedShaft, DampedSpring, DampedString, DampedTorsionSpring, Damper, GeneralBeam, InPlane,
-    Rod, Shaft, Spring, SpringDamper, TautString as PathString, TorsionDamper, TorsionSpring, TorsionSpringDamper,
+    CrossCoupledSpring, DampedBeam, DampedRod, DampedShaft, DampedSpinningBeam, DampedSpring, DampedString,
+    DampedTorsionSpring, Damper, GeneralBeam, InPlane, Rod, Shaft, SpinningBeam, Spring, SpringDamper,
+    TautString as PathString, TorsionDamper, TorsionSpring, TorsionSpringDamper,
 };
 use crate::frame::dimension::{Dimension, Line, Plane};
 use crate::frame::error::Mistake;
@@ -69,7 +71,7 @@ pub struct FrameMember {
 }
 
 impl FrameMember {
-    fn of(element: Result<AnyMember<f64>, Mistake>) -> Self {
+    fn of(element: Result<impl Into<RotorMember<f64>>, Mistake>) -> Self {
         FrameMember::of_parts(element.map(Parts::one))
     }
 
@@ -79,8 +81,8 @@ impl FrameMember {
     }
 
     /// An element that is known.
-    pub(crate) fn known(element: impl Into<AnyMember<f64>>) -> Self {
-        FrameMember::of(Ok(element.into()))
+    pub(crate) fn known(element: impl Into<RotorMember<f64>>) -> Self {
+        FrameMember::of(Ok(element))
     }
 }
 
@@ -112,10 +114,11 @@ pub(super) const GENERAL: [Parameter; 5] = [
 pub(super) const LOSSES: [Parameter; 3] =
     [Parameter::loss_factor, Parameter::kelvin_voigt_time, Parameter::external_damping];
 
-/// The parameters of beams in space alone.
-const SPATIAL: [Parameter; 12] = [
-    Parameter::torsional_stiffness,
+/// The parameters that a beam in the plane has not: those of space, and those of shafts that spin.
+const ELSEWHERE: [Parameter; 13] = [
     Parameter::polar_inertia_per_length,
+    Parameter::speed,
+    Parameter::torsional_stiffness,
     Parameter::bending_stiffness_y,
     Parameter::bending_stiffness_z,
     Parameter::shear_stiffness_y,
@@ -128,13 +131,16 @@ const SPATIAL: [Parameter; 12] = [
     Parameter::foundation_shear_stiffness_z,
 ];
 
-/// Checks that a section names nothing of space.
-fn refuse_spatial(section: &Section, element: &'static str) -> Result<(), Mistake> {
+/// The parameters of beams in space alone.
+const SPATIAL: &[Parameter] = ELSEWHERE.split_at(2).1;
+
+/// Checks that a section names none of some parameters, and no `up`.
+fn refuse(section: &Section, parameters: &[Parameter], element: &'static str) -> Result<(), Mistake> {
     if section.z_axis().is_some() {
         return Err(Mistake::Foreign { element, parameter: "up" });
     }
-    match SPATIAL.into_iter().find(|parameter| section.get(*parameter).is_some()) {
-        Some(parameter) => Err(Mistake::Foreign { element, parameter: name_of(parameter) }),
+    match parameters.iter().find(|parameter| section.get(**parameter).is_some()) {
+        Some(parameter) => Err(Mistake::Foreign { element, parameter: name_of(*parameter) }),
         None => Ok(()),
     }
 }
@@ -193,19 +199,50 @@ pub(super) fn check(section: &Section) -> Result<(), Mistake> {
     }
 }
 
+/// The parameters that a beam names all together, or none of them but the first.
+const OF_SPIN: [Parameter; 3] = [Parameter::rotary_inertia, Parameter::polar_inertia_per_length, Parameter::speed];
+
+/// Whether a section is that of a shaft that spins.
+fn spins(section: &Section) -> bool {
+    names(section, &OF_SPIN[1..])
+}
+
+/// The beam of a section that spins.
+fn shaft(section: &Section) -> Result<RotorMember<f64>, Mistake> {
+    if let Some(missing) = OF_SPIN.into_iter().find(|parameter| section.get(*parameter).is_none()) {
+        return Err(Mistake::MissingOfShaft { parameter: name_of(missing) });
+    }
+    let spin = [needed(section, OF_SPIN[1])?, needed(section, OF_SPIN[2])?];
+    if section.get(Parameter::loss_factor).is_some() {
+        let parameter = name_of(Parameter::loss_factor);
+        return Err(Mistake::Foreign { element: "beam that spins", parameter });
+    }
+    if !names(section, &[Parameter::kelvin_voigt_time, Parameter::external_damping]) {
+        return Ok(SpinningBeam::spinning(general(section)?, spin).into());
+    }
+    let DampedBeam { kelvin_voigt_time, external_damping, .. } = damped(section)?;
+    let shaft = SpinningBeam::spinning(general(section)?, spin);
+    Ok(DampedSpinningBeam::with_damping(shaft, [kelvin_voigt_time, external_damping]).into())
+}
+
 /// The beam of a section along a line.
-fn along_line(section: &Section) -> Result<AnyMember<f64>, Mistake> {
-    refuse_spatial(section, "beam along a line")?;
+fn along_line(section: &Section) -> Result<RotorMember<f64>, Mistake> {
+    refuse(section, SPATIAL, "beam along a line")?;
     if section.get(Parameter::axial_stiffness).is_some() {
         return Err(Mistake::AxialStiffness);
     }
     check(section)?;
-    Ok(if names(section, &LOSSES) { damped(section)?.into() } else { general(section)?.into() })
+    if spins(section) {
+        return shaft(section);
+    }
+    let standing: AnyMember<f64> =
+        if names(section, &LOSSES) { damped(section)?.into() } else { general(section)?.into() };
+    Ok(standing.into())
 }
 
 /// The beam of a section in the plane.
 fn in_plane(section: &Section) -> Result<AnyMember<f64>, Mistake> {
-    refuse_spatial(section, "beam in the plane")?;
+    refuse(section, &ELSEWHERE, "beam in the plane")?;
     let axial_stiffness = needed(section, Parameter::axial_stiffness)?;
     check(section)?;
     Ok(if names(section, &LOSSES) {
@@ -269,6 +306,14 @@ impl FrameElement<Line> for Section {
     }
 }
 
+impl FrameElement<Line> for CrossCoupledSpring<f64> {
+    type Kind = OfSpring;
+
+    fn member(self) -> FrameMember {
+        FrameMember::known(self)
+    }
+}
+
 impl FrameElement<Plane> for Section {
     type Kind = OfBeam;
 
@@ -282,7 +327,7 @@ impl FrameElement<Plane> for TautString {
 
     fn member(self) -> FrameMember {
         let in_plane = |section: &Section| {
-            refuse_spatial(section, "string in the plane")?;
+            refuse(section, &ELSEWHERE, "string in the plane")?;
             string(section).map(stretching)
         };
         FrameMember::of(in_plane(&self.0))
@@ -304,7 +349,7 @@ macro_rules! everywhere {
             type Kind = $kind;
 
             fn member(self) -> FrameMember {
-                FrameMember::known(self)
+                FrameMember::known(AnyMember::from(self))
             }
         }
     )*)*};

@@ -3,6 +3,7 @@
 mod assembly;
 mod bodies;
 mod dimension;
+mod discs;
 mod drawn;
 mod ends;
 mod entries;
@@ -33,5 +34,5 @@ pub use joints::{Hinge, Pin, Slider, Tie};
 pub use member::{Bar, FrameElement, FrameMember, Member, OfBeam, OfJoint, OfLine, OfSpring, TautString};
 pub use point::{InFrame, Point};
 pub use section::{Section, UnknownParameter};
-pub use structure::{DampedStructure, Framework, Structure};
+pub use structure::{DampedRotorStructure, DampedStructure, Framework, RotorStructure, Structure};
 pub use tensor::Tensor;

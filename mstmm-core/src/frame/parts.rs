@@ -2,6 +2,7 @@
 
 use crate::element::MemberElement;
 use crate::elements::any_member::AnyMember;
+use crate::elements::rotor_member::RotorMember;
 use crate::frame::dimension::Dimension;
 use crate::frame::error::Mistake;
 use crate::model::{MemberPlane, up_of};
@@ -12,7 +13,7 @@ use mstmm_plan::{Freedoms, MOST_PARTS, freedoms_of_part};
 /// structure, and of what has one motion, the first one is all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Parts {
-    pub(crate) elements: [Option<AnyMember<f64>>; MOST_PARTS],
+    pub(crate) elements: [Option<RotorMember<f64>>; MOST_PARTS],
     /// The vector that is made its z axis, if it names one.
     pub(crate) up: Option<[f64; 3]>,
     /// Whether both planes through its axis are alike.
@@ -23,12 +24,18 @@ pub(crate) struct Parts {
 
 impl Parts {
     /// An element that is all of a member.
-    pub(crate) fn one(element: impl Into<AnyMember<f64>>) -> Self {
+    pub(crate) fn one(element: impl Into<RotorMember<f64>>) -> Self {
         Parts { elements: [Some(element.into()), None, None], up: None, is_symmetric: false, named: 0 }
     }
 
+    /// Elements that do not spin.
+    pub(crate) fn of(elements: [Option<AnyMember<f64>>; MOST_PARTS]) -> Self {
+        let elements = elements.map(|element| element.map(RotorMember::Standing));
+        Parts { elements, up: None, is_symmetric: false, named: 0 }
+    }
+
     /// The elements that are there, each with its plane among those of the member.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, AnyMember<f64>)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (usize, RotorMember<f64>)> {
         self.elements.into_iter().enumerate().filter_map(|(part, element)| Some((part, element?)))
     }
 
@@ -49,7 +56,7 @@ impl Parts {
 
     /// The freedoms that it has at its ends, in its own axes.
     pub(crate) fn freedoms(&self) -> Freedoms {
-        let of_part = |(part, element): (usize, AnyMember<f64>)| freedoms_of_part(part, element.freedoms());
+        let of_part = |(part, element): (usize, RotorMember<f64>)| freedoms_of_part(part, element.freedoms());
         self.iter().map(of_part).fold(Freedoms::NONE, Freedoms::union)
     }
 

@@ -55,8 +55,10 @@ parameters! {
     external_damping,
     /// Torsional stiffness GJ [N m²], positive: in space alone.
     torsional_stiffness,
-    /// Polar inertia per length ρI_p [kg m], positive: in space alone.
+    /// Polar inertia per length ρI_p [kg m], positive: in space, and of a shaft that spins.
     polar_inertia_per_length,
+    /// Speed Ω [rad/s] of a shaft that spins, of either sign: along a line alone, beside rotary inertia and polar inertia.
+    speed,
     /// Bending stiffness about y of a member in space.
     bending_stiffness_y,
     /// Bending stiffness about z of a member in space.

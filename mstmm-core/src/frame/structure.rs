@@ -1,12 +1,13 @@
 //! Built frames: structures that are searched and asked.
 
 use crate::element::{
-    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberSlopes, MemberTransfer, MemberVisit, MemberWork,
-    VisitMember,
+    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberSlopes, MemberSpins, MemberTransfer, MemberVisit,
+    MemberWork, VisitMember,
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
+use crate::elements::rotor_member::{RotorMember, UndampedRotorMember};
 use crate::frame::assembly::{Assembly, NetworkPart};
-use crate::frame::dimension::Dimension;
+use crate::frame::dimension::{Dimension, Line};
 use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
 use crate::frame::in_space::{called_in, name_in};
@@ -39,6 +40,8 @@ pub struct Framework<D, E: MemberElement> {
     pub(super) supports: Vec<(usize, Freedoms, Option<Skew<f64>>)>,
     /// The node and the mass centre of each body.
     bodies: Vec<(usize, [f64; 3])>,
+    /// The bodies that spin, each with the part of its gyroscopic moment.
+    discs: Vec<(usize, usize)>,
     /// The first part of each member of the frame in the network, and behind the last one. Parts of supports and of masses in a direction follow.
     pub(super) first_parts: Vec<usize>,
     of: PhantomData<fn() -> D>,
@@ -50,13 +53,19 @@ pub type Structure<D> = Framework<D, UndampedMember<f64>>;
 /// A built frame with damping: it has eigenvalues, shapes, responses.
 pub type DampedStructure<D> = Framework<D, AnyMember<f64>>;
 
+/// A built rotor without damping, as a whirl sees it: it has natural frequencies, shapes, responses.
+pub type RotorStructure = Framework<Line, UndampedRotorMember<f64>>;
+
+/// A built rotor with damping, as a whirl sees it: it has eigenvalues, shapes, responses.
+pub type DampedRotorStructure = Framework<Line, RotorMember<f64>>;
+
 impl<D: Dimension> Frame<D> {
     /// Builds the structure, if nothing in it is damped.
     ///
     /// # Errors
     /// [`BuildErrors`]: all that is wrong, each with the name or the number of its part.
     pub fn build(&self) -> Result<Structure<D>, BuildErrors> {
-        Framework::built(self, |element| element.undamped().ok_or(Mistake::Damped))
+        Framework::built(self, |member| standing(member)?.undamped().ok_or(Mistake::Damped))
     }
 
     /// Builds the structure with what is damped in it: it has eigenvalues, and responses.
@@ -64,13 +73,30 @@ impl<D: Dimension> Frame<D> {
     /// # Errors
     /// As [`build`](Frame::build).
     pub fn build_damped(&self) -> Result<DampedStructure<D>, BuildErrors> {
+        Framework::built(self, standing)
+    }
+}
+
+impl Frame<Line> {
+    /// The rotor without damping in forward whirl.
+    pub(crate) fn forward(&self) -> Result<RotorStructure, BuildErrors> {
+        Framework::built(self, |member| member.undamped().ok_or(Mistake::DampedRotor))
+    }
+
+    /// The rotor with damping in forward whirl.
+    pub(crate) fn damped_forward(&self) -> Result<DampedRotorStructure, BuildErrors> {
         Framework::built(self, Ok)
     }
 }
 
+/// A member of a frame that is no rotor.
+fn standing(member: RotorMember<f64>) -> Result<AnyMember<f64>, Mistake> {
+    member.standing().ok_or(Mistake::OfRotor)
+}
+
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     /// Builds a frame with what a function makes of its members.
-    fn built(frame: &Frame<D>, element: impl Fn(AnyMember<f64>) -> Result<E, Mistake>) -> Result<Self, BuildErrors> {
+    fn built(frame: &Frame<D>, element: impl Fn(RotorMember<f64>) -> Result<E, Mistake>) -> Result<Self, BuildErrors> {
         let mut assembly = Assembly::of(frame);
         let (mut parts, mut named) = (Vec::new(), Vec::new());
         for index in 0..assembly.parts.len() {
@@ -84,7 +110,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
                 Err(mistake) => assembly.fail(called.0, mistake),
             }
         }
-        let Assembly { nodes, names, is_of_path, points, bodies, mut errors, first_parts, .. } = assembly;
+        let Assembly { nodes, names, is_of_path, points, bodies, discs, mut errors, first_parts, .. } = assembly;
         let (mut of_nodes, mut of_whole) = (Vec::new(), Vec::new());
         let network = Network::with_paths(
             &nodes,
@@ -127,7 +153,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             .flat_map(|(point, entry)| entry.holds.iter().map(move |hold| (point, hold)));
         let supports = holds.map(|(point, hold)| (point, hold.freedoms, hold.skew)).collect();
         let number = frame.number;
-        Ok(Framework { network, number, points, places, supports, bodies, first_parts, of: PhantomData })
+        Ok(Framework { network, number, points, places, supports, bodies, discs, first_parts, of: PhantomData })
     }
 }
 
@@ -136,6 +162,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> System for Framework<D, E>
     const HAS_PHASES: bool = false;
     const IS_NETWORK: bool = true;
     const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+    const SPINS: bool = E::SPINS;
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         self.network.in_numbers()
@@ -224,6 +251,14 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
 }
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
+    /// The frame as the other whirl sees it.
+    pub(crate) fn turned_round(self) -> Self
+    where
+        E: MemberSpins,
+    {
+        Framework { network: self.network.turned_round(), ..self }
+    }
+
     /// The node and the mass centre of a body.
     ///
     /// # Errors
@@ -231,6 +266,15 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
     pub(crate) fn body(&self, body: Body) -> Result<(usize, [f64; 3]), MotionError> {
         let index = self.own(body.handle)?;
         self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
+    }
+
+    /// `∂L/∂p` for a parameter of the gyroscopic moment of a body by its name, given the works of all parts.
+    pub(crate) fn slope_of_spin<S: Scalar>(&self, body: Body, works: &[MemberWork<S>], name: &str) -> Option<S>
+    where
+        E: MemberSlopes<S>,
+    {
+        let (_, part) = self.discs.iter().find(|(index, _)| *index == body.handle.index)?;
+        self.network.slope(*part, &works[*part], name)
     }
 
     /// `∂L/∂p` for a parameter of a member by its name in a frame, given the works of its parts.

@@ -3,16 +3,17 @@
 use crate::model::{ParameterError, SearchError};
 use core::fmt;
 
-/// A search for critical speeds, or for a threshold of stability, that cannot start or cannot return all it found.
+/// A search for critical speeds, or for a threshold of stability, that cannot start or cannot return all it found, given the error `E` of a rotor that is not
+/// built: of a [`Frame`](crate::frame::Frame) its `BuildErrors`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum SpeedError {
-    /// The rotor at a speed has a parameter out of its range.
+pub enum SpeedError<E = ParameterError> {
+    /// The rotor at a speed cannot be built.
     Parameter {
         /// The speed [rad/s].
         speed: f64,
         /// What is wrong.
-        error: ParameterError,
+        error: E,
     },
     /// The search found no answer at a rotor of the range.
     Search(SearchError),
@@ -51,7 +52,7 @@ pub enum SpeedError {
     },
 }
 
-impl fmt::Display for SpeedError {
+impl<E: fmt::Display> fmt::Display for SpeedError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SpeedError::Parameter { speed, error } => write!(f, "at the speed {speed} rad/s: {error}"),
@@ -81,9 +82,9 @@ impl fmt::Display for SpeedError {
     }
 }
 
-impl core::error::Error for SpeedError {}
+impl<E: fmt::Debug + fmt::Display> core::error::Error for SpeedError<E> {}
 
-impl From<SearchError> for SpeedError {
+impl<E> From<SearchError> for SpeedError<E> {
     fn from(error: SearchError) -> Self {
         SpeedError::Search(error)
     }

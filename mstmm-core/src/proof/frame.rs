@@ -203,6 +203,7 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         let first = self.end(&ends[0], (&axes, &plane), wanted, &mut own, joining);
         let second = self.end(&ends[1], (&axes, &plane), wanted, &mut own, joining);
         let (numbers, damping) = numbers.parted();
+        let bent = [&first[1], &first[2], &second[1], &second[2]].map(|row| row.terms());
         match &numbers {
             MemberNumbers::Other if own_part.is_some() => {
                 let freedom = if freedoms.is(Freedoms::RZ) { 2 } else { 0 };
@@ -212,17 +213,10 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
                 if let Some(line) = beam.longitudinal() {
                     joining.add_line((&line, &damping), length, [first[0].terms(), second[0].terms()]);
                 }
-                let ends = [&first[1], &first[2], &second[1], &second[2]];
-                joining.add_bending((beam, &damping, &SpinNumbers::NONE), length, ends.map(|row| row.terms()));
+                joining.add_bending((beam, &damping, &SpinNumbers::NONE), length, bent);
             }
-            MemberNumbers::SpinningBeam(beam, spin) => {
-                let ends = [&first[1], &first[2], &second[1], &second[2]];
-                joining.add_bending((beam, &damping, spin), length, ends.map(|row| row.terms()));
-            }
-            MemberNumbers::Tapered(beam) => {
-                let ends = [&first[1], &first[2], &second[1], &second[2]];
-                joining.add_tapered(beam, length, ends.map(|row| row.terms()));
-            }
+            MemberNumbers::SpinningBeam(beam, spin) => joining.add_bending((beam, &damping, spin), length, bent),
+            MemberNumbers::Tapered(beam) => joining.add_tapered(beam, length, bent),
             MemberNumbers::String(lines) => {
                 for (line, freedom) in lines.iter().zip([0, 1]) {
                     let ends = [first[freedom].terms(), second[freedom].terms()];
@@ -239,6 +233,9 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
             }
             MemberNumbers::Spring(freedom, stiffness) => {
                 joining.add_spring::<M, TWO>((stiffness, &damping), [&first[*freedom], &second[*freedom]]);
+            }
+            MemberNumbers::Gyroscope(spin) => {
+                joining.add_spin(spin, gap::<J, M, TWO>([&first[2], &second[2]], Ball::of(1.0)).terms());
             }
             MemberNumbers::Joint(rigid, elastic) => {
                 for (index, (freedom, stiffness)) in Freedoms::SINGLE.into_iter().zip(elastic).enumerate() {
@@ -374,6 +371,7 @@ fn freedoms_of(numbers: &MemberNumbers) -> Freedoms {
         MemberNumbers::Line(freedom, _)
         | MemberNumbers::LineBetween(freedom, _)
         | MemberNumbers::Spring(freedom, _) => Freedoms::SINGLE[*freedom],
+        MemberNumbers::Gyroscope(_) => Freedoms::RZ,
         MemberNumbers::Joint(rigid, elastic) => {
             let elastic = Freedoms::SINGLE.into_iter().zip(elastic).filter(|(_, stiffness)| **stiffness != [0.0; 2]);
             elastic.fold(*rigid, |sum, (freedom, _)| sum.union(freedom))

@@ -1,8 +1,7 @@
 //! Campbell diagrams: the frequencies of both whirls of a rotor at many speeds.
 
-use crate::model::ParameterError;
 use crate::pass::searched::Undamped;
-use crate::search::rotor::{Rotor, Whirl};
+use crate::search::rotor::{Rotor, Spinning, Whirl};
 use crate::search::undamped::found::FrequencyList;
 use crate::search::undamped::natural::NaturalFrequencies;
 use crate::search::undamped::sweep::SweepError;
@@ -25,10 +24,10 @@ pub struct AtSpeed<const N: usize> {
 ///
 /// # Errors
 /// The items are errors, [`SweepError`], of a speed at which the function fails, or a search.
-pub fn campbell<const N: usize, Y: Undamped<Parameter = f64>>(
+pub fn campbell<const N: usize, Y: Undamped<Parameter = f64> + Spinning>(
     speeds: impl IntoIterator<Item = f64>,
-    mut build: impl FnMut(f64) -> Result<Rotor<Y>, ParameterError>,
-) -> impl Iterator<Item = Result<AtSpeed<N>, SweepError>> {
+    mut build: impl FnMut(f64) -> Result<Rotor<Y>, Y::BuildError>,
+) -> impl Iterator<Item = Result<AtSpeed<N>, SweepError<Y::BuildError>>> {
     speeds.into_iter().map(move |speed| {
         let rotor = build(speed).map_err(SweepError::Parameter)?;
         let frequencies = |whirl| rotor.whirl(whirl).first_frequencies::<N>().map_err(SweepError::Search);

@@ -1,6 +1,6 @@
 //! Critical speeds: where a multiple of the speed of a rotor is one of its frequencies, certified by counts.
 
-use crate::model::{ParameterError, SearchError, SpeedError};
+use crate::model::{SearchError, SpeedError};
 use crate::number::List;
 use crate::number::double_double::DoubleDouble;
 use crate::pass::searched::Undamped;
@@ -8,7 +8,7 @@ use crate::proof::prover::Prover;
 use crate::proof::visit::{Knowledge, knowledge_of};
 use crate::search::by_factor::{Crossing, Sample, crossings};
 use crate::search::closed_range::ClosedRange;
-use crate::search::rotor::{Rotor, Whirl};
+use crate::search::rotor::{Rotor, Spinning, Whirl};
 use crate::search::undamped::proven::Parts;
 use core::ops::Deref;
 
@@ -56,12 +56,12 @@ impl<const CAP: usize> Deref for CriticalSpeeds<CAP> {
 ///
 /// # Source
 /// Wittrick and Williams for gyroscopic systems: with K positive the count at ω is the number of frequencies of a whirl below it.
-pub fn critical_speeds<const CAP: usize, Y: Undamped<Parameter = f64>>(
+pub fn critical_speeds<const CAP: usize, Y: Undamped<Parameter = f64> + Spinning>(
     speeds: impl ClosedRange<f64>,
     whirl: Whirl,
     order: f64,
-    mut build: impl FnMut(f64) -> Result<Rotor<Y>, ParameterError>,
-) -> Result<CriticalSpeeds<CAP>, SpeedError> {
+    mut build: impl FnMut(f64) -> Result<Rotor<Y>, Y::BuildError>,
+) -> Result<CriticalSpeeds<CAP>, SpeedError<Y::BuildError>> {
     let (start, end) = speeds.closed().into_inner();
     if !(order > 0.0 && order.is_finite()) {
         return Err(SpeedError::Order { order });

@@ -17,6 +17,9 @@ pub enum Whirl {
 
 /// A system with parts that spin. `system!` implements it where an element names its speed.
 pub trait Spinning: System {
+    /// Why a rotor of this type is not built.
+    type BuildError: core::error::Error + 'static;
+
     /// The system as the other whirl sees it: all its speeds have the other sign.
     #[must_use]
     fn turned_round(self) -> Self;

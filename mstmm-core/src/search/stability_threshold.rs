@@ -1,10 +1,10 @@
 //! The speed from which on a whirl of a rotor grows.
 
-use crate::model::{ParameterError, SearchError, SpeedError};
+use crate::model::{SearchError, SpeedError};
 use crate::pass::searched::Spectrum;
 use crate::search::damped::eigenvalues::Eigenvalues;
 use crate::search::damped::found::{Eigenvalue, Region};
-use crate::search::rotor::{Rotor, Whirl};
+use crate::search::rotor::{Rotor, Spinning, Whirl};
 
 /// Room for the eigenvalues of the region at one speed.
 const ROOM: usize = 64;
@@ -72,12 +72,12 @@ impl AtSpeed {
 ///
 /// # Source
 /// Signs of the real parts of eigenvalues, which change where a whirl is neither damped nor driven.
-pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
+pub fn stability_threshold<Y: Spectrum<Parameter = f64> + Spinning>(
     speeds: core::ops::RangeInclusive<f64>,
     whirl: Whirl,
     region: Region<f64>,
-    mut build: impl FnMut(f64) -> Result<Rotor<Y>, ParameterError>,
-) -> Result<Option<Threshold>, SpeedError> {
+    mut build: impl FnMut(f64) -> Result<Rotor<Y>, Y::BuildError>,
+) -> Result<Option<Threshold>, SpeedError<Y::BuildError>> {
     let (start, end) = speeds.into_inner();
     if !(start < end && (end - start).is_finite()) {
         return Err(SearchError::Range { start, end }.into());
@@ -88,7 +88,7 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
     }
     // what grows fast is not lost to the right
     let region = Region { re: -width..=width.max(*region.im.end()), ..region };
-    let mut at = |speed: f64| -> Result<AtSpeed, SpeedError> {
+    let mut at = |speed: f64| -> Result<AtSpeed, SpeedError<Y::BuildError>> {
         let rotor = build(speed).map_err(|error| SpeedError::Parameter { speed, error })?;
         let roots = rotor.whirl(whirl).eigenvalues::<ROOM>(region.clone())?;
         Ok(AtSpeed::new(speed, &roots))
@@ -104,11 +104,11 @@ pub fn stability_threshold<Y: Spectrum<Parameter = f64>>(
 }
 
 /// Two speeds, between which a motion begins to grow, as close to each other as twice those are at which the signs of growth are not decided.
-fn narrowed(
+fn narrowed<E>(
     mut lower: AtSpeed,
     mut upper: AtSpeed,
-    at: &mut dyn FnMut(f64) -> Result<AtSpeed, SpeedError>,
-) -> Result<[AtSpeed; 2], SpeedError> {
+    at: &mut dyn FnMut(f64) -> Result<AtSpeed, SpeedError<E>>,
+) -> Result<[AtSpeed; 2], SpeedError<E>> {
     // the speeds at which nothing is decided
     let mut open: Option<[f64; 2]> = None;
     for step in 0..STEPS {
@@ -156,6 +156,6 @@ fn threshold([lower, upper]: [AtSpeed; 2]) -> Option<Threshold> {
 }
 
 /// The error of a motion that neither grows nor decays.
-fn neutral(at: &AtSpeed) -> SpeedError {
+fn neutral<E>(at: &AtSpeed) -> SpeedError<E> {
     SpeedError::Neutral { speed: at.speed, omega: at.growing.map_or(0.0, |root| root.lambda.im) }
 }

@@ -18,6 +18,8 @@ pub(super) fn spinning(plan: &Plan<'_>, names: &Names) -> Option<TokenStream> {
         quote_spanned! {names.here=>
             #[automatically_derived]
             impl<#parameter: #private::Real> #private::Spinning for #system<#parameter> {
+                type BuildError = #private::ParameterError;
+
                 fn turned_round(self) -> Self {
                     #system { #(#turned,)* ..self }
                 }

@@ -145,6 +145,12 @@ impl Writer<'_, '_> {
         if !one_of.is_empty() {
             named.push(self.choices.pick(one_of));
         }
+        // a shaft that spins says all of its spin, and has no loss factor
+        if keyword == "beam" && ["speed", "polar_inertia_per_length"].iter().any(|name| named.contains(name)) {
+            named.retain(|name| *name != "loss_factor");
+            let missing = ["rotary_inertia", "polar_inertia_per_length", "speed"];
+            named.extend(missing.into_iter().filter(|name| !named.contains(name)).collect::<Vec<_>>());
+        }
         // a hinge gives way, and in the plane it says so
         let gives_way = if space == Space::Planar { "stiffness_x" } else { "stiffness_y" };
         if keyword == "hinge" && !named.contains(&gives_way) {

@@ -32,6 +32,8 @@ pub(crate) enum Range {
     TameOrRigid,
     /// Any position.
     Position,
+    /// Any speed.
+    Speed,
     /// Greater than the axial force at which a beam of the other values loses its stiffness against shear.
     Tension,
     /// Not so large that a section vanishes or grows beyond a million times.
@@ -63,7 +65,7 @@ impl Scene {
     /// Ordinary valid values: positions at the input end, sections that go down to a half, all else 1.
     pub(crate) fn ordinary(&self) -> Vec<f64> {
         let value = |parameter: &Parameter| match parameter.range {
-            Range::Position => 0.0,
+            Range::Position | Range::Speed => 0.0,
             Range::Taper => 0.5,
             _ => 1.0,
         };
@@ -83,7 +85,7 @@ macro_rules! scenes {
     ($(
         $model:ident = $tip:ident -> $keyword:ident {
             $($parameter:ident: $range:ident),* $(,)?
-        } -> $root:ident $($undamped:ident)?;
+        } -> $root:ident $([$spinning:ident])? $($undamped:ident)?;
     )*) => {
         $(
             system! {
@@ -110,15 +112,17 @@ macro_rules! scenes {
                     $(Parameter { name: stringify!($parameter), range: Range::$range }),*
                 ],
                 build: |values| $model::of(values).build().map(|_| ()),
-                at_lambda: |values, lambda| evaluate(&$model::of(values).build().unwrap(), lambda),
-                at_omega: scenes!(@at_omega $model $($undamped)?),
+                at_lambda: |values, lambda| evaluate(scenes!(@seen $model::of(values).build().unwrap() $(, $spinning)?), lambda),
+                at_omega: scenes!(@at_omega $model $([$spinning])? $($undamped)?),
             },
         )*];
     };
-    (@at_omega $model:ident undamped) => {
-        Some(|values, omega| evaluate(&$model::of(values).build().unwrap(), omega))
+    (@at_omega $model:ident $([$spinning:ident])? undamped) => {
+        Some(|values, omega| evaluate(scenes!(@seen $model::of(values).build().unwrap() $(, $spinning)?), omega))
     };
-    (@at_omega $model:ident) => { None };
+    (@at_omega $model:ident $([$spinning:ident])?) => { None };
+    (@seen $built:expr, spinning) => { $built.whirl(Whirl::Forward) };
+    (@seen $built:expr) => { &$built };
 }
 
 /// The determinant; the matrix on its own must come back too.
@@ -249,6 +253,24 @@ scenes! {
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
+    SpinningBeam = fixed -> beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, polar_inertia_per_length: NonNegative, speed: Speed,
+    } -> free [spinning] undamped;
+    DampedSpinningBeam = fixed -> beam {
+        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
+        foundation_shear_stiffness: TameOrZero, polar_inertia_per_length: NonNegative, speed: Speed,
+        kelvin_voigt_time: NonNegative, external_damping: NonNegative,
+    } -> free [spinning];
+    Disc = free -> disc {
+        mass: NonNegative, inertia: NonNegative, polar_inertia: NonNegative, speed: Speed,
+    } -> free [spinning] undamped;
+    CrossCoupledSpring = fixed -> spring {
+        stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative,
+        cross_stiffness: Position, cross_damping: Position,
+    } -> free [spinning];
     PlanarDampedBeam = fixed -> beam {
         length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,

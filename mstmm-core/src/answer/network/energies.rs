@@ -73,8 +73,10 @@ where
         if !self.x.lambda().is_zero() {
             return 0.0;
         }
-        let Forms { mass, .. } = self.whole();
-        (mass - S::one()).size()
+        let Forms { mass, damping, .. } = self.whole();
+        let slope = self.x.slope_of_lambda_squared();
+        let spun = if const { Y::SPINS } && !slope.is_zero() { damping / slope } else { S::zero() };
+        (mass + spun - S::one()).size()
     }
 
     /// The forms of the whole motion and its conjugate.

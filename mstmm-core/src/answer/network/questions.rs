@@ -111,6 +111,7 @@ pub trait FrameAnalysis: Placed + Sized {
         R: Root<<Self as System>::Parameter, Frequency: PlaneFrequency<<Self as System>::Parameter>> + 'r,
         Self: MovingNetwork<R::Frequency>,
     {
+        const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
         ModalResponse::new(&OfFrame::new(self, load, entry)?, roots)
     }
 }

@@ -64,8 +64,10 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         let wanted = self.wanted()?;
         let value = match self.states_for(x, wanted) {
             Err(MotionError::Resonance { .. }) if x.is_zero() => self.limit_at_rest()?,
-            // below the real axis a motion has the conjugate loss factor
-            Err(MotionError::LossFactor) => self.states_for(x.conjugate(), wanted)?.value(self.entry)?.conjugate(),
+            // below the real axis a motion has the conjugate loss factor; that of a rotor is one of the other whirl
+            Err(MotionError::LossFactor) if !const { Y::SPINS } => {
+                self.states_for(x.conjugate(), wanted)?.value(self.entry)?.conjugate()
+            }
             states => states?.value(self.entry)?,
         };
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency }) }
@@ -160,7 +162,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
             Quantity::Reaction(..) | Quantity::Internal { .. } => states.motion.largest_force(1.0),
         };
         let size = value.size().max(size);
-        if self.system.frequency_estimates().has_loss() {
+        if const { Y::SPINS } || self.system.frequency_estimates().has_loss() {
             return Ok(Part { value, size, mirrored: self.continued(-x, Wanted::All)?.value(self.entry)? });
         }
         Ok(Part::new(value, size))

@@ -2,7 +2,7 @@
 
 use crate::answer::misfit::worse;
 use crate::answer::network::states::PlaneStates;
-use crate::answer::root::is_below_losses;
+use crate::answer::root::{check_at_rest, is_below_losses};
 use crate::element::Forms;
 use crate::model::MotionError;
 use crate::number::Scalar;
@@ -76,7 +76,7 @@ where
         self.x
     }
 
-    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`: 1, unless the shape was scaled.
+    /// The modal mass `φᵀ M φ [+ φᵀ C φ/(2λ)]`, of a rotor `φᵀ M φ - φᵀ Ω G φ/(2ω)`: 1, unless the shape was scaled.
     pub fn modal_mass(&self) -> S {
         mass_product(self.system, self.x, &self.motion, &self.motion)
     }
@@ -356,6 +356,7 @@ where
     if is_below_losses(system, x) {
         return Err(MotionError::LossFactor);
     }
+    check_at_rest(system, x)?;
     let at_root = AtRoot { system, x };
     let beside = at_root.simple(at_root.motions_beside(0).map(|motion| motion.rounded(S::from_extended)));
     match beside {
@@ -384,6 +385,7 @@ where
     if is_below_losses(system, x) {
         return Err(MotionError::LossFactor);
     }
+    check_at_rest(system, x)?;
     let wanted = usize::try_from(multiplicity).ok().filter(|wanted| *wanted <= CAP);
     let wanted = wanted.ok_or(MotionError::Capacity { capacity: CAP })?;
     if wanted == 1 {

@@ -7,12 +7,15 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
+use crate::elements::in_plane::across::freedoms_of_beam;
+use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::spin::Spin;
 use crate::model::{Ends, FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single, Truth};
+use crate::structure::Chart;
 use nalgebra::Matrix4;
 
 /// A beam that spins with damping: at λ it is the beam with `EI e`, `kGA e` and `k + c_e λ`, where `e = 1 + t (λ - iΩ)` with the speed Ω as the whirl
@@ -110,6 +113,23 @@ impl<T: Parameter> BuiltDampedSpinningBeam<T> {
     pub(super) fn back_through<S: ComplexFrequency<T>>(&self, at: &FrequencyPowers<S>) -> BackThrough<S> {
         let beam = self.at(at.x);
         BackThrough::new(Transfer::new(&self.section(&beam, at.x)), &beam)
+    }
+
+    /// The chart of a beam of a length, beside a motion along it where that has an impedance.
+    pub(super) fn chart<S: ComplexFrequency<T>>(
+        &self,
+        at: &FrequencyPowers<S>,
+        length: S,
+        along: Option<f64>,
+    ) -> Chart<S> {
+        let impedances = self.beam.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
+        let (freedoms, places) = freedoms_of_beam(along.is_some());
+        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
+        let beam = BeamParameters { length, ..self.at(at.x) };
+        let scale = length * length / beam.bending_stiffness;
+        let (relation, factors) = beam.relation_with_moment(at.lambda_squared, self.moment(at.x) * scale);
+        relation.enter(&mut chart, places, &factors);
+        chart
     }
 }
 

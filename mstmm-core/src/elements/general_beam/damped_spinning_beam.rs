@@ -1,17 +1,20 @@
 //! A beam that spins about its axis, with damping.
 
 use crate::element::{
-    BackTransfer, CarriesLoad, DampingNumbers, Element, Energies, Inside, MatrixOf, MemberNumbers, PlaneStep, Spins,
-    TransferMatrix,
+    BackTransfer, CarriesLoad, Charted, DampingNumbers, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
+    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped_spinning::BuiltDampedSpinningBeam;
 use crate::elements::general_beam::kinds::GeneralBeam;
-use crate::elements::general_beam::of_built::{energies_of_built, steps_of_built};
+use crate::elements::general_beam::of_built::{energies_of_built, members_of_built, steps_of_built};
 use crate::elements::general_beam::spinning_beam::SpinningBeam;
 use crate::elements::general_beam::transfer::BackThrough;
-use crate::model::{Bending, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
+use crate::elements::in_plane::across::ChartedAcross;
+use crate::elements::shared::chart_scalar::ChartScalar;
+use crate::model::{Bending, EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, State};
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real, Scaled, Single};
+use crate::structure::Chart;
 use crate::subspace::{Covector, RootCounter, Subspace};
 use mstmm_plan::Support;
 
@@ -82,7 +85,7 @@ impl<T: Copy> DampedSpinningBeam<T> {
     }
 
     /// A beam with damping, or the derivatives with respect to all of it.
-    fn with_damping(beam: SpinningBeam<T>, [kelvin_voigt_time, external_damping]: [T; 2]) -> Self {
+    pub(crate) fn with_damping(beam: SpinningBeam<T>, [kelvin_voigt_time, external_damping]: [T; 2]) -> Self {
         let SpinningBeam {
             length,
             bending_stiffness,
@@ -162,6 +165,17 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> Energies<S> for DampedSpi
         let (beam, [time, external, polar_inertia, speed]) = built.gradient(ends);
         let beam = GeneralBeam::of_gradient(beam, &built.beam.parameters);
         DampedSpinningBeam::with_damping(SpinningBeam::spinning(beam, [polar_inertia, speed]), [time, external])
+    }
+}
+
+members_of_built!(DampedSpinningBeam at ComplexFrequency);
+
+impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for DampedSpinningBeam<T> {
+    type Gradient = DampedSpinningBeam<S>;
+
+    fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> DampedSpinningBeam<S> {
+        let ends = MemberEnds { x: work.x, ends: work.ends }.bending();
+        <DampedSpinningBeam<T> as Energies<S>>::gradient(built, &ends)
     }
 }
 

@@ -81,7 +81,7 @@ impl<T: Copy> SpinningBeam<T> {
     }
 
     /// A beam that spins, or the derivatives with respect to all of it.
-    pub(super) fn spinning(beam: GeneralBeam<T>, [polar_inertia_per_length, speed]: [T; 2]) -> Self {
+    pub(crate) fn spinning(beam: GeneralBeam<T>, [polar_inertia_per_length, speed]: [T; 2]) -> Self {
         let GeneralBeam {
             length,
             bending_stiffness,

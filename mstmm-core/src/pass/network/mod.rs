@@ -25,6 +25,8 @@ mod placement;
 mod products;
 mod skeleton;
 mod sketch;
+#[cfg(feature = "std")]
+mod spinning;
 pub(crate) mod stiffness;
 mod structure;
 #[cfg(test)]

@@ -66,12 +66,12 @@ pub struct Network<E: MemberElement, M: Memory> {
     sizes: [usize; 2],
     nodes: M::PerNode<PlacedNode<E::Parameter>>,
     motions: M::PerNode<Motions<E::Parameter>>,
-    members: M::PerMember<Option<E::Built>>,
+    pub(super) members: M::PerMember<Option<E::Built>>,
     /// What each member is.
     kinds: M::PerMember<&'static str>,
     placements: M::PerMember<Placement<E::Parameter>>,
     /// Nodes and members in numbers, for searches at many frequencies at once.
-    stiffness: StiffnessRoom<M>,
+    pub(super) stiffness: StiffnessRoom<M>,
     order: Order<M>,
     width: usize,
     /// Stiffnesses and inertias, which motions ask for at each frequency.
@@ -302,6 +302,7 @@ impl<E: MemberElement, M: Memory> System for Network<E, M> {
     const HAS_PHASES: bool = false;
     const IS_NETWORK: bool = true;
     const MAY_BUCKLE: bool = E::MAY_BUCKLE;
+    const SPINS: bool = E::SPINS;
 
     fn in_numbers(&self) -> Option<StiffnessModel<'_>> {
         self.stiffness.model(&self.order.get())

@@ -11,14 +11,14 @@ use core::fmt;
 
 /// Why a model of a sweep has no certified frequencies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SweepError {
+pub enum SweepError<E = ParameterError> {
     /// A parameter is out of its range.
-    Parameter(ParameterError),
+    Parameter(E),
     /// The search failed.
     Search(SearchError),
 }
 
-impl fmt::Display for SweepError {
+impl<E: fmt::Display> fmt::Display for SweepError<E> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SweepError::Parameter(error) => error.fmt(f),
@@ -27,7 +27,7 @@ impl fmt::Display for SweepError {
     }
 }
 
-impl core::error::Error for SweepError {
+impl<E: core::error::Error + 'static> core::error::Error for SweepError<E> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             SweepError::Parameter(error) => Some(error),

@@ -60,6 +60,12 @@ impl<M: Memory> StiffnessRoom<M> {
         self.numbers.as_mut()[index] = numbers;
     }
 
+    /// Keeps other parameters of a member.
+    #[cfg(feature = "std")]
+    pub(crate) fn set_numbers(&mut self, index: usize, numbers: MemberNumbers) {
+        self.numbers.as_mut()[index] = numbers;
+    }
+
     /// Arranges all that was kept for the passes to come.
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
         let StiffnessRoom { nodes, members, joining, parting, width, is_flat, .. } = self;
