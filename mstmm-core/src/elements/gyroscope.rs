@@ -30,6 +30,7 @@ fn turned<S: Scalar>([input, output]: &[EndMotion<S>; 2]) -> S {
     output.displacements[ROTATION] - input.displacements[ROTATION]
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Parameter> Element for Gyroscope<T> {
     type State = Rotation;
     type Built = Spin<T>;
@@ -55,6 +56,7 @@ impl<T: Parameter> Spins for Gyroscope<T> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Gyroscope<T> {
     fn transfer_matrix(built: &Spin<T>, x: S) -> Matrix2<S> {
         let (_, compliance) = off_pole(built.momentum::<S>() * x.signed_omega());
@@ -66,6 +68,7 @@ impl<T: Parameter, S: Frequency<T> + Single> TransferMatrix<S> for Gyroscope<T> 
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Parameter, S: Frequency<T>> Charted<S> for Gyroscope<T> {
     /// Over displacements: the moment has either sign, and vanishes at rest.
     fn chart(built: &Spin<T>, at: &FrequencyPowers<S>, _length: S) -> Chart<S> {
@@ -81,12 +84,14 @@ impl<T: Parameter, S: Frequency<T>> Charted<S> for Gyroscope<T> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Gyroscope<T> {
     fn forms(built: &Spin<T>, first: &MemberEnds<S>, second: &MemberEnds<S>) -> Forms<S> {
         Forms { damping: built.form(turned(&first.ends) * turned(&second.ends)), ..Forms::none() }
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for Gyroscope<T> {
     type Gradient = Gyroscope<S>;
 
