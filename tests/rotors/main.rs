@@ -5,6 +5,7 @@ mod closed_forms;
 mod damped;
 mod exact;
 mod example;
+mod false_claims;
 mod frames;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]

@@ -203,7 +203,7 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
         let first = self.end(&ends[0], (&axes, &plane), wanted, &mut own, joining);
         let second = self.end(&ends[1], (&axes, &plane), wanted, &mut own, joining);
         let (numbers, damping) = numbers.parted();
-        let bent = [&first[1], &first[2], &second[1], &second[2]].map(|row| row.terms());
+        let bent = || [first[1].terms(), first[2].terms(), second[1].terms(), second[2].terms()];
         match &numbers {
             MemberNumbers::Other if own_part.is_some() => {
                 let freedom = if freedoms.is(Freedoms::RZ) { 2 } else { 0 };
@@ -213,10 +213,10 @@ impl<const M: usize, const TWO: usize> Nodes<M, TWO> {
                 if let Some(line) = beam.longitudinal() {
                     joining.add_line((&line, &damping), length, [first[0].terms(), second[0].terms()]);
                 }
-                joining.add_bending((beam, &damping, &SpinNumbers::NONE), length, bent);
+                joining.add_bending((beam, &damping, &SpinNumbers::NONE), length, bent());
             }
-            MemberNumbers::SpinningBeam(beam, spin) => joining.add_bending((beam, &damping, spin), length, bent),
-            MemberNumbers::Tapered(beam) => joining.add_tapered(beam, length, bent),
+            MemberNumbers::SpinningBeam(beam, spin) => joining.add_bending((beam, &damping, spin), length, bent()),
+            MemberNumbers::Tapered(beam) => joining.add_tapered(beam, length, bent()),
             MemberNumbers::String(lines) => {
                 for (line, freedom) in lines.iter().zip([0, 1]) {
                     let ends = [first[freedom].terms(), second[freedom].terms()];
