@@ -26,6 +26,8 @@ pub(crate) use member_numbers::{
 };
 pub(crate) use member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};
 pub(crate) use moving::{CoefficientsOf, Moving};
-pub(crate) use spins::{MemberSpins, Spins};
+#[cfg(feature = "std")]
+pub(crate) use spins::MemberSpins;
+pub(crate) use spins::Spins;
 pub(crate) use traits::{Element, MatrixOf, PlaneStep, TransferMatrix, build, space_of};
 pub(crate) use visit::{Visit, VisitStep};

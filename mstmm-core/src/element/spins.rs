@@ -1,5 +1,6 @@
 //! What spins.
 
+#[cfg(feature = "std")]
 use crate::element::charted::MemberElement;
 use crate::element::traits::Element;
 
@@ -11,6 +12,7 @@ pub trait Spins: Element {
 }
 
 /// A member of any type, some of which may spin.
+#[cfg(feature = "std")]
 pub trait MemberSpins: MemberElement {
     /// The member as the other whirl sees it.
     #[must_use]

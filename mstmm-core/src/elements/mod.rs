@@ -16,6 +16,7 @@ mod damped_wave_line;
 mod disc;
 mod elastic_hinge;
 mod general_beam;
+#[cfg(feature = "std")]
 pub(crate) mod gyroscope;
 mod hinge;
 pub(crate) mod in_plane;
@@ -27,6 +28,7 @@ mod line;
 mod planar_body;
 mod planar_hinge;
 mod point_mass;
+#[cfg(feature = "std")]
 pub(crate) mod rotor_member;
 pub(crate) mod shared;
 pub(crate) mod sideways;

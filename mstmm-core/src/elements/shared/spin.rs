@@ -11,6 +11,10 @@ use crate::number::{Frequency, Oscillation, Parameter, Real, Truth};
 /// With `u = v + iw` and `θ = θ_z - iθ_y` both bending planes of a shaft on isotropic bearings are one, and the moment of a rotation that turns with
 /// `e^{iωt}` is real. Backward whirl is forward whirl with the other sign of all speeds.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    not(feature = "std"),
+    expect(unreachable_pub, reason = "frames alone have gyroscopes, which are built as it")
+)]
 pub struct Spin<T> {
     /// Polar moment of inertia I_p, or that per length.
     pub(crate) polar_inertia: T,
