@@ -171,7 +171,7 @@ pub use mstmm_core::Sensitivities;
 /// assert_eq!(deflections[0], 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub use mstmm_core::ModalResponse;
+pub use mstmm_core::{ExactResponse, ModalResponse};
 
 /// The shape of a mode of a plane frame: displacements of points, forces in members.
 ///

@@ -28,13 +28,14 @@ mod structure;
 mod subspace;
 
 pub use answer::energy_shares::EnergyShares;
-pub use answer::force_history::ForceHistory;
 #[cfg(feature = "std")]
 pub use answer::frame_sensitivity::FrameSensitivities;
 pub use answer::frequency_response::FrequencyResponse;
 pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
-pub use answer::modal_response::ModalResponse;
+pub use answer::modal::exact::ExactResponse;
+pub use answer::modal::history::ForceHistory;
+pub use answer::modal::response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};
 pub use answer::network::geometry::geometry_slopes;
 pub use answer::network::inside::MemberState;

@@ -40,6 +40,11 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Ok(FrequencyResponse { route: Route::new(system, load, entry), spread })
     }
 
+    /// The system.
+    pub(crate) fn system(&self) -> &'a Y {
+        self.route.system
+    }
+
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
     /// It is computed in extended precision, where the numbers of the model have one.

@@ -4,7 +4,6 @@ pub(crate) mod at_rest;
 pub(crate) mod dominant_entry;
 pub(crate) mod energies;
 pub(crate) mod energy_shares;
-pub(crate) mod force_history;
 #[cfg(feature = "std")]
 pub(crate) mod frame_rotor;
 #[cfg(feature = "std")]
@@ -14,10 +13,9 @@ pub(crate) mod interior;
 pub(crate) mod mac;
 pub(crate) mod many_frequencies;
 pub(crate) mod misfit;
-pub(crate) mod modal_response;
+pub(crate) mod modal;
 pub(crate) mod mode_shape;
 pub(crate) mod network;
-pub(crate) mod of_tree;
 pub(crate) mod orbit;
 pub(crate) mod questions;
 pub(crate) mod repeated_root;

@@ -1,9 +1,9 @@
 //! Questions about motions: the trait that users call.
 
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal_response::ModalResponse;
+use crate::answer::modal::of_tree::OfTree;
+use crate::answer::modal::response::ModalResponse;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
-use crate::answer::of_tree::OfTree;
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};

@@ -54,15 +54,15 @@ impl<Y: Planned + ?Sized> FrequencyResponse<'_, Y> {
         Y: ExtendedTree<S>,
         S: Oscillation<<Y as System>::Parameter>,
     {
-        refined(|x| self.at(x), &range.closed(), roots, tolerance)
+        refined(|x| self.at(x), &range.closed(), roots.iter().map(Root::peak), tolerance)
     }
 }
 
-/// A response over a range of ω, refined where it bends.
+/// A response over a range of ω, refined where it bends, given the frequency and half the width of each resonance.
 pub(crate) fn refined<const CAP: usize, T: Real, S: Oscillation<T>>(
     at: impl Fn(S) -> Result<S, MotionError>,
     range: &RangeInclusive<T>,
-    roots: &[impl Root<T, Frequency = S>],
+    peaks: impl IntoIterator<Item = (T, T)>,
     tolerance: f64,
 ) -> Result<List<Sample<T, S>, CAP>, MotionError> {
     let (start, end) = (range.start().to_f64(), range.end().to_f64());
@@ -78,8 +78,7 @@ pub(crate) fn refined<const CAP: usize, T: Real, S: Oscillation<T>>(
         curve.add(start * (1.0 - share) + end * share)?;
     }
     let mut finest = FINEST * (end - start);
-    for root in roots {
-        let (omega, width) = root.peak();
+    for (omega, width) in peaks {
         let (omega, width) = (omega.to_f64(), width.to_f64());
         let places = [omega - width, omega, omega + width];
         for place in places.into_iter().filter(|place| width > 0.0 && (start..=end).contains(place)) {

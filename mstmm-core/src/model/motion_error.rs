@@ -126,6 +126,15 @@ pub enum MotionError {
         /// The ratio.
         ratio: f64,
     },
+    /// Another number of damping ratios than roots.
+    DampingRatios {
+        /// How many were given.
+        given: usize,
+        /// How many roots are in the list.
+        needed: usize,
+    },
+    /// Damping in proportion to the stiffness of a system in which a member bears an axial force: a stiffness that nothing damps.
+    AxialForce,
     /// There are more results than the capacity; none is returned.
     Capacity {
         /// The capacity.
@@ -249,6 +258,15 @@ impl MotionError {
             MotionError::TimeStep { step } => write!(f, "a step of {step} s is none: it has to be positive and finite"),
             MotionError::DampingRatio { ratio } => {
                 write!(f, "with a damping ratio of {ratio} no mode vibrates: it has to be at least 0 and below 1")
+            }
+            MotionError::DampingRatios { given, needed } => {
+                write!(f, "the list has {needed} roots, and {given} damping ratios were given: one for each root")
+            }
+            MotionError::AxialForce => {
+                write!(
+                    f,
+                    "a member bears an axial force, a stiffness that nothing damps: damping in proportion would damp it"
+                )
             }
             MotionError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

@@ -1,6 +1,7 @@
 //! Carrying subspaces through a plan: from the tips to the root, and back.
 
 pub(crate) mod at_once;
+pub(crate) mod axial_force;
 pub(crate) mod both_ways;
 pub(crate) mod characteristic;
 pub(crate) mod drawn_tree;

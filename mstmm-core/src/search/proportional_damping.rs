@@ -52,8 +52,8 @@ impl<T: Real> ProportionalDamping<T> {
     ///
     /// A frequency of zero, that of a rigid body, has 0 and -α.
     pub fn eigenvalues(&self, root: &NaturalFrequency<T>) -> [Option<Eigenvalue<T>>; 2] {
-        let ends = [root.lower, root.upper].map(|omega| self.at(omega));
-        let at = self.at(root.omega);
+        let ends = [root.lower, root.upper].map(|omega| self.eigenvalues_at(omega));
+        let at = self.eigenvalues_at(root.omega);
         let eigenvalue = |k: usize| {
             let lambda = at[k];
             let away = |end: &[Complex<T>; 2]| modulus(end[k] - lambda);
@@ -66,8 +66,23 @@ impl<T: Real> ProportionalDamping<T> {
         [Some(eigenvalue(0)), second]
     }
 
+    /// α of the inertias [1/s].
+    pub(crate) fn of_inertias(&self) -> T {
+        self.mass
+    }
+
+    /// β of the stiffnesses \[s\].
+    pub(crate) fn of_stiffnesses(&self) -> T {
+        self.stiffness
+    }
+
+    /// The loss factor η of the stiffnesses.
+    pub(crate) fn loss_factor(&self) -> T {
+        self.loss_factor
+    }
+
     /// The roots at a frequency, first that with the larger imaginary part, or of two real ones that which decays faster.
-    fn at(&self, omega: T) -> [Complex<T>; 2] {
+    pub(crate) fn eigenvalues_at(&self, omega: T) -> [Complex<T>; 2] {
         let square = omega * omega;
         let stiffness = Complex::new(square, self.loss_factor * square);
         let half = T::from_f64(0.5);

@@ -11,3 +11,4 @@ pub(crate) mod shape;
 pub(crate) mod sketch;
 pub(crate) mod spread_load;
 pub(crate) mod states;
+mod work;

@@ -1,14 +1,14 @@
 //! The response of a plane structure as a sum over modes takes it.
 
 use crate::answer::at_rest::Part;
-use crate::answer::modal_response::Superposed;
-use crate::answer::network::response::{PlaneResponse, acting_at};
+use crate::answer::modal::response::Superposed;
+use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
 use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity};
 use crate::number::Real;
 use crate::pass::characteristic::System;
-use crate::pass::network::{ActingLoad, LoadAt, MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
 use num_traits::Zero;
 
 /// The response of a plane structure.
@@ -37,23 +37,7 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        let load = acting_at::<Y, S>(self.system, self.load.acting)?;
-        let mut work = match load {
-            ActingLoad::Spread(spread) => shape.work_of(spread)?,
-            ActingLoad::At(_) => S::zero(),
-        };
-        for node in 0..self.system.sizes()[0] {
-            let forces = load.on_node(self.system, node).into_iter().flatten();
-            for (force, displacement) in forces.zip(shape.all_of(node)?) {
-                work += force * displacement;
-            }
-        }
-        if let ActingLoad::At(LoadAt { node, moved: Some(moved), .. }) = load {
-            for (moved, reaction) in moved.iter().zip(shape.reactions().as_ref()[node]) {
-                work -= *moved * reaction;
-            }
-        }
-        Ok(work * shape.value(self.entry)?)
+        Ok(shape.work(self.load)? * shape.value(self.entry)?)
     }
 }
 
@@ -88,6 +72,10 @@ where
 
     fn lowest_exponent(&self) -> i32 {
         self.response.lowest_exponent()
+    }
+
+    fn is_motion(&self) -> bool {
+        self.response.is_motion()
     }
 
     fn has_loss(&self) -> bool {

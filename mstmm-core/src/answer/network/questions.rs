@@ -1,6 +1,6 @@
 //! Questions about motions of plane structures: the trait that users call.
 
-use crate::answer::modal_response::ModalResponse;
+use crate::answer::modal::response::ModalResponse;
 use crate::answer::network::of_frame::OfFrame;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};

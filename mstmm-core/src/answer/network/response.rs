@@ -45,6 +45,16 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Ok(PlaneResponse { system, load, entry })
     }
 
+    /// The structure.
+    pub(crate) fn system(&self) -> &'a Y {
+        self.system
+    }
+
+    /// Whether its load is the motion of a support.
+    pub(crate) fn is_motion(&self) -> bool {
+        matches!(self.load.acting, PlaneActing::Motion(..))
+    }
+
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with
     /// loss factors the limit from above.
     ///
@@ -192,7 +202,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,
     {
-        refined(|x| self.at(x), &range.closed(), roots, tolerance)
+        refined(|x| self.at(x), &range.closed(), roots.iter().map(Root::peak), tolerance)
     }
 
     /// All displacements and forces at a frequency.

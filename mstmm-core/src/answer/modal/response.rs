@@ -3,7 +3,7 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::root::Root;
 use crate::model::MotionError;
-use crate::number::{ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar, exponential, phi_1};
+use crate::number::{Frequency, List, Oscillation, Real, Scalar, exponential, phi_1};
 use core::marker::PhantomData;
 use num_complex::Complex;
 use num_traits::Zero;
@@ -37,7 +37,13 @@ pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) rigid: T,
     /// The residual compliance.
     pub(crate) residual: T,
-    meaning: PhantomData<fn() -> M>,
+    /// The time by which the residual compliance is late.
+    pub(crate) lag: T,
+    /// How many roots were in the list.
+    pub(crate) roots: usize,
+    /// Whether its load is the motion of a support.
+    pub(crate) is_motion: bool,
+    pub(crate) meaning: PhantomData<fn() -> M>,
 }
 
 /// The part of a mode in the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
@@ -45,6 +51,8 @@ pub struct ModalResponse<T, const N: usize, M> {
 pub(crate) struct Term<T> {
     pub(crate) lambda: Complex<T>,
     pub(crate) residue: Complex<T>,
+    /// The place of its root in the list.
+    pub(crate) root: usize,
 }
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
@@ -60,10 +68,13 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         if source.has_loss() {
             return Err(MotionError::LossFactor);
         }
-        let (rigid, residual) = (T::zero(), T::zero());
-        let mut response = ModalResponse { terms: List::new(), rigid, residual, meaning: PhantomData };
+        let [rigid, residual, lag] = [T::zero(); 3];
+        let is_motion = source.is_motion();
+        let mut response =
+            ModalResponse { terms: List::new(), rigid, residual, lag, roots: 0, is_motion, meaning: PhantomData };
         let mut at_rest = None;
         for root in roots {
+            response.roots += 1;
             let omega = root.frequency().omega().to_complex();
             // an upper eigenvalue stands for its conjugate, too
             if omega.re < T::zero() {
@@ -91,15 +102,15 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         root: &R,
     ) -> Result<(), MotionError> {
         let omega = root.frequency().omega().to_complex();
-        let lambda = Complex::new(-omega.im, omega.re);
+        let (lambda, place) = (Complex::new(-omega.im, omega.re), self.roots - 1);
         source.for_each_product::<CAP>(root, &mut |product: R::Frequency| {
             let product = product.to_complex();
             let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
-            self.push(Term { lambda, residue })
+            self.push(Term { lambda, residue, root: place })
         })
     }
 
-    fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
+    pub(super) fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
         self.terms.push(term).map_err(|_| MotionError::Capacity { capacity: N })
     }
 
@@ -123,7 +134,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         let left = |x: R::Frequency| {
             let whole = source.sized(x)?;
             let omega = x.omega().to_complex();
-            let (sum, size) = self.at(Complex::new(-omega.im, omega.re));
+            let (sum, size) = self.sum_at(Complex::new(-omega.im, omega.re));
             Ok(Part::new::<T>(whole.value - R::Frequency::from_complex(sum), whole.size + size))
         };
         let rest = AtRest::of::<T>(source.lowest_exponent(), scale, left)?;
@@ -135,7 +146,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         if at_rest.is_some() {
             self.rigid = double.to_complex().re;
             if !simple.is_zero() {
-                self.push(Term { lambda: Complex::zero(), residue: simple.to_complex() })?;
+                self.push(Term { lambda: Complex::zero(), residue: simple.to_complex(), root: 0 })?;
             }
         }
         Ok(())
@@ -147,7 +158,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     }
 
     /// The response of the listed modes at λ, and the sum of the sizes of their terms.
-    fn at(&self, lambda: Complex<T>) -> (Complex<T>, f64) {
+    pub(super) fn sum_at(&self, lambda: Complex<T>) -> (Complex<T>, f64) {
         let half = T::from_f64(0.5);
         self.terms.iter().fold((Complex::zero(), 0.0), |(sum, size), term| {
             let own = (term.residue / (lambda - term.lambda)) * half;
@@ -175,7 +186,18 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         let half = T::from_f64(0.5);
         let one = |term: &Term<T>| (term.residue * phi_1(term.lambda * time)).re * time;
         let away = self.rigid * time * time * half;
-        self.terms.iter().fold(self.residual + away, |sum, term| sum + one(term))
+        self.terms.iter().fold(self.residual_after(time) + away, |sum, term| sum + one(term))
+    }
+
+    /// What modes that are not in the list have followed of a step at a time.
+    fn residual_after(&self, time: T) -> T {
+        self.late().map_or(self.residual, |term| (term.residue * phi_1(term.lambda * time)).re * time)
+    }
+
+    /// The residual compliance as a term, where it is late.
+    pub(super) fn late(&self) -> Option<Term<T>> {
+        let rate = Complex::from(T::one() / self.lag);
+        (!self.lag.is_zero()).then(|| Term { lambda: -rate, residue: rate * self.residual, root: 0 })
     }
 
     /// The static response: the entry under a constant load of 1 at rest, whatever modes are in the list.
@@ -187,27 +209,6 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             return Err(MotionError::Resonance { frequency: 0.0 });
         }
         Ok(self.held() + self.residual)
-    }
-}
-
-impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
-    /// The response with a damping ratio ζ in each mode: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
-    /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
-    ///
-    /// # Errors
-    /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates.
-    pub fn with_damping_ratio(&self, ratio: T) -> Result<ModalResponse<T, N, ComplexEigenvalue>, MotionError> {
-        if !(ratio >= T::zero() && ratio < T::one()) {
-            return Err(MotionError::DampingRatio { ratio: ratio.to_f64() });
-        }
-        let slowed = ((T::one() - ratio) * (T::one() + ratio)).sqrt();
-        let mut terms = self.terms;
-        for term in terms.as_mut_slice() {
-            let omega = term.lambda.im;
-            term.lambda = Complex::new(-(ratio * omega), slowed * omega);
-            term.residue /= slowed;
-        }
-        Ok(ModalResponse { terms, rigid: self.rigid, residual: self.residual, meaning: PhantomData })
     }
 }
 
@@ -240,6 +241,11 @@ pub(crate) trait Superposed<T: Real, R: Root<T>> {
 
     /// Logarithm to base 2 of a frequency below all roots but those at zero.
     fn lowest_exponent(&self) -> i32;
+
+    /// Whether its load is the motion of a support.
+    fn is_motion(&self) -> bool {
+        false
+    }
 
     /// Whether something has a loss factor.
     fn has_loss(&self) -> bool;

@@ -1,6 +1,6 @@
 //! Responses to force histories, sample by sample.
 
-use crate::answer::modal_response::{ModalResponse, Term};
+use crate::answer::modal::response::{ModalResponse, Term};
 use crate::model::MotionError;
 use crate::number::{List, Real, exponential, phi_1, phi_2};
 use num_complex::Complex;
@@ -15,6 +15,8 @@ pub struct ForceHistory<T, const N: usize> {
     modes: List<Mode<T>, N>,
     rigid: Rigid<T>,
     residual: T,
+    /// The residual compliance in its place, where it is late.
+    late: Option<Mode<T>>,
     /// The last sample of the force; none before the first.
     force: Option<T>,
 }
@@ -59,7 +61,9 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
             modes.push(Mode::new(term, dt)).map_err(|_| MotionError::Capacity { capacity: N })?;
         }
         let rigid = Rigid { position: T::zero(), velocity: T::zero(), dt, gain: response.rigid * dt };
-        Ok(ForceHistory { modes, rigid, residual: response.residual, force: None })
+        let late = response.late().map(|term| Mode::new(&term, dt));
+        let residual = if late.is_some() { T::zero() } else { response.residual };
+        Ok(ForceHistory { modes, rigid, residual, late, force: None })
     }
 
     /// Takes the next sample of the force [N or N m] and gives the entry at its time; the first is that of t = 0, where the
@@ -67,11 +71,14 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
     pub fn next(&mut self, force: T) -> T {
         if let Some(before) = self.force.replace(force) {
             self.rigid.step(before, force);
-            for mode in self.modes.as_mut_slice() {
+            for mode in self.modes.as_mut_slice().iter_mut().chain(&mut self.late) {
                 mode.step(before, force);
             }
         }
-        self.modes.iter().fold(self.rigid.position + self.residual * force, |sum, mode| sum + mode.value.re)
+        self.modes
+            .iter()
+            .chain(&self.late)
+            .fold(self.rigid.position + self.residual * force, |sum, mode| sum + mode.value.re)
     }
 }
 

@@ -2,27 +2,20 @@
 
 use crate::answer::at_rest::Part;
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal_response::Superposed;
+use crate::answer::modal::response::Superposed;
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
-use crate::model::{Acting, Entry, Load, MotionError, Spread};
+use crate::model::{Entry, Load, MotionError};
 use crate::number::{Real, Single};
 use crate::pass::characteristic::System;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
-use mstmm_plan::Coordinate;
-
-/// On what a load works: a displacement at a point, or those of elements.
-enum Acts {
-    Along(Place),
-    Spread(Spread),
-}
 
 /// The response of a tree.
 pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
     system: &'a Y,
-    load: Acts,
+    load: Load<Y::Model>,
     entry: Place,
     response: FrequencyResponse<'a, Y>,
 }
@@ -30,15 +23,6 @@ pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
 impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         let response = FrequencyResponse::new(system, load, entry)?;
-        let load = match load.acting {
-            Acting::At(step, coordinate) => {
-                let mut place = Place::of_load(system, (step, coordinate))?;
-                // a force does work along the deflection, a moment along the rotation
-                place.coordinate = if coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
-                Acts::Along(place)
-            }
-            Acting::Spread(spread) => Acts::Spread(spread),
-        };
         Ok(OfTree { system, load, entry: Place::of_entry(system, entry)?, response })
     }
 
@@ -47,12 +31,8 @@ impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     where
         Y: Tree<S>,
     {
-        let at = |place: Place| shape.at(place.step, place.beyond).entry(place.coordinate);
-        let work = match self.load {
-            Acts::Along(place) => at(place),
-            Acts::Spread(load) => shape.work_of(load)?.value,
-        };
-        Ok(work * at(self.entry))
+        let Place { step, beyond, coordinate } = self.entry;
+        Ok(shape.work(self.load)? * shape.at(step, beyond).entry(coordinate))
     }
 }
 

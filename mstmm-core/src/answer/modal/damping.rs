@@ -1,0 +1,129 @@
+//! Damping of modes: a ratio each, or damping in proportion.
+
+use crate::answer::modal::response::{ModalResponse, Term};
+use crate::model::MotionError;
+use crate::number::{ComplexEigenvalue, List, Real, RealFrequency, Scalar};
+use crate::search::ProportionalDamping;
+use num_complex::Complex;
+use num_traits::Zero;
+
+/// Distance of both real eigenvalues of a mode, over the larger one, below which their parts cancel more than half of their digits.
+const CRITICAL: f64 = 1e-8;
+
+/// A response with damping.
+type Damped<T, const N: usize> = ModalResponse<T, N, ComplexEigenvalue>;
+
+impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
+    /// The response with a damping ratio ζ in each mode: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
+    /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
+    ///
+    /// Under the motion of a support each mode is damped relative to the support, not against a place at rest: its part is
+    /// `-λ²(φφ/ω²)/(λ² + 2ζωλ + ω²)` beside the static response.
+    ///
+    /// # Errors
+    /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates.
+    pub fn with_damping_ratio(&self, ratio: T) -> Result<Damped<T, N>, MotionError> {
+        self.with_ratios(|_, _| ratio)
+    }
+
+    /// The response with a damping ratio for each root of the list, in its order; a root at rest has none, and its number means nothing.
+    ///
+    /// # Errors
+    /// [`MotionError::DampingRatios`] for another number of ratios than roots; else as [`with_damping_ratio`](ModalResponse::with_damping_ratio).
+    pub fn with_damping_ratios(&self, ratios: &[T]) -> Result<Damped<T, N>, MotionError> {
+        if ratios.len() != self.roots {
+            return Err(MotionError::DampingRatios { given: ratios.len(), needed: self.roots });
+        }
+        self.with_ratios(|root, _| ratios[root])
+    }
+
+    /// The response with a damping ratio for each mode by its frequency ω [rad/s].
+    ///
+    /// # Errors
+    /// As [`with_damping_ratio`](ModalResponse::with_damping_ratio).
+    pub fn with_damping_ratios_by(&self, mut ratio: impl FnMut(T) -> T) -> Result<Damped<T, N>, MotionError> {
+        self.with_ratios(|_, omega| ratio(omega))
+    }
+
+    fn with_ratios(&self, mut ratio: impl FnMut(usize, T) -> T) -> Result<Damped<T, N>, MotionError> {
+        let mut damped = self.without_terms();
+        for term in &self.terms {
+            let omega = term.lambda.im;
+            let ratio = ratio(term.root, omega);
+            if !(ratio >= T::zero() && ratio < T::one()) {
+                return Err(MotionError::DampingRatio { ratio: ratio.to_f64() });
+            }
+            let slowed = ((T::one() - ratio) * (T::one() + ratio)).sqrt();
+            let lambda = Complex::new(-(ratio * omega), slowed * omega);
+            damped.push(Term { lambda, residue: term.residue / slowed, root: term.root }.moved_with(self, omega))?;
+        }
+        Ok(damped)
+    }
+
+    /// The response with damping in proportion to inertias and stiffnesses, `C = α M + β K`: each mode has the eigenvalues of this damping, and modes that are
+    /// not in the list follow late, by `ρ/(1 + βλ)`. A mode that does not vibrate any more has two terms in place of one.
+    ///
+    /// A motion of a support moves what it damps with it, as in [`with_damping_ratio`](ModalResponse::with_damping_ratio).
+    ///
+    /// # Errors
+    /// [`MotionError::LossFactor`] for a loss factor, which has no motions in time; [`MotionError::DampingRatio`] for a mode that is critically damped to 1e-8;
+    /// [`MotionError::Capacity`] for more terms than `N`.
+    pub fn with_damping(&self, damping: &ProportionalDamping<T>) -> Result<Damped<T, N>, MotionError> {
+        if !damping.loss_factor().is_zero() {
+            return Err(MotionError::LossFactor);
+        }
+        let mut damped = self.without_terms();
+        if !self.is_motion {
+            damped.lag = damping.of_stiffnesses();
+        }
+        for term in &self.terms {
+            let omega = term.lambda.im;
+            // φφ of the mode
+            let product = (term.residue * term.lambda).re;
+            let [first, second] = damping.eigenvalues_at(omega);
+            let apart = first - second;
+            if apart.size() <= CRITICAL * first.size().max(second.size()) {
+                return Err(MotionError::DampingRatio { ratio: 1.0 });
+            }
+            let own = |lambda: Complex<T>, residue| Term { lambda, residue, root: term.root }.moved_with(self, omega);
+            if first.im.is_zero() {
+                damped.push(own(first, Complex::from(product) / apart))?;
+                damped.push(own(second, -(Complex::from(product) / apart)))?;
+            } else {
+                damped.push(own(first, Complex::from(product + product) / apart))?;
+            }
+        }
+        damped.drag(self.rigid, damping.of_inertias())?;
+        Ok(damped)
+    }
+
+    /// What is no mode, for a response with damping.
+    fn without_terms(&self) -> Damped<T, N> {
+        let ModalResponse { rigid, residual, lag, roots, is_motion, .. } = *self;
+        ModalResponse { terms: List::new(), rigid, residual, lag, roots, is_motion, meaning: core::marker::PhantomData }
+    }
+}
+
+impl<T: Real, const N: usize> Damped<T, N> {
+    /// Rigid bodies that a damping α drags: `1/(λ² + αλ)`, one that drifts and one that stops, in place of `1/λ²`.
+    fn drag(&mut self, rigid: T, alpha: T) -> Result<(), MotionError> {
+        if rigid.is_zero() || alpha.is_zero() {
+            return Ok(());
+        }
+        self.rigid = T::zero();
+        let residue = Complex::from(rigid / alpha);
+        self.push(Term { lambda: Complex::zero(), residue, root: 0 })?;
+        self.push(Term { lambda: Complex::from(-alpha), residue: -residue, root: 0 })
+    }
+}
+
+impl<T: Real> Term<T> {
+    /// The term under the motion of a support, whose damping moves with it: `-λ²/ω²` times that of a force.
+    fn moved_with<const N: usize, M>(self, response: &ModalResponse<T, N, M>, omega: T) -> Self {
+        if !response.is_motion {
+            return self;
+        }
+        let along = self.lambda / omega;
+        Term { residue: -(self.residue * along * along), ..self }
+    }
+}

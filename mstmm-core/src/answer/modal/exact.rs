@@ -1,0 +1,117 @@
+//! Exact responses of systems that are damped in proportion to inertias and stiffnesses: those of the undamped system at another frequency.
+
+use crate::answer::frequency_response::FrequencyResponse;
+use crate::answer::network::response::PlaneResponse;
+use crate::model::MotionError;
+use crate::number::{Oscillation, Real, Scalar};
+use crate::pass::axial_force::bears_axial_force;
+use crate::pass::characteristic::System;
+use crate::pass::network::{MovingNetwork, PlaneFrequency};
+use crate::pass::tree::ExtendedTree;
+use crate::search::ProportionalDamping;
+use num_complex::Complex;
+use num_traits::Zero;
+
+/// An exact response of a system without damping.
+pub trait ExactResponse<T> {
+    /// The response at λ.
+    #[doc(hidden)]
+    fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError>;
+
+    /// Whether its load is the motion of a support.
+    #[doc(hidden)]
+    fn is_of_motion(&self) -> bool;
+
+    /// Whether a member bears an axial force.
+    #[doc(hidden)]
+    fn bears_axial_force(&self) -> bool;
+}
+
+impl<T, Y> ExactResponse<T> for FrequencyResponse<'_, Y>
+where
+    T: Real,
+    Complex<T>: Oscillation<T>,
+    Y: ExtendedTree<Complex<T>> + System<Parameter = T>,
+{
+    fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        self.at(lambda)
+    }
+
+    fn is_of_motion(&self) -> bool {
+        false
+    }
+
+    fn bears_axial_force(&self) -> bool {
+        bears_axial_force(self.system())
+    }
+}
+
+impl<T, Y> ExactResponse<T> for PlaneResponse<'_, Y>
+where
+    T: Real,
+    Complex<T>: PlaneFrequency<T>,
+    Y: MovingNetwork<Complex<T>> + System<Parameter = T>,
+{
+    fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        self.at(lambda)
+    }
+
+    fn is_of_motion(&self) -> bool {
+        self.is_motion()
+    }
+
+    fn bears_axial_force(&self) -> bool {
+        bears_axial_force(self.system())
+    }
+}
+
+impl<T: Real> ProportionalDamping<T> {
+    /// The response at λ of a system that is damped in proportion, `λ = iω` for a steady vibration, from the exact response without damping: with
+    /// `d = (1 + βλ)(1 + iη)` it is `H(λ')/d` at `λ'² = (λ² + αλ)/d`. No mode is needed, and none is left out.
+    ///
+    /// Under the motion of a support the damping of inertias moves with the support: `H(0) + (H(λ') - H(0)) λ/(λ + α)`.
+    ///
+    /// ```
+    /// use mstmm_core::elements::Spring;
+    /// use mstmm_core::frame::{Frame, Ground};
+    /// use mstmm_core::search::ProportionalDamping;
+    /// use mstmm_core::FrameAnalysis;
+    /// use num_complex::Complex;
+    ///
+    /// let mut frame = Frame::new();
+    /// let point = frame.point(0.0);
+    /// frame.member(point, Ground, Spring { stiffness: 100.0 });
+    /// frame.mass(point, 2.0);
+    /// let oscillator = frame.build()?;
+    /// let exact = oscillator.frequency_response(point.force_y(), point.displacement_y())?;
+    /// let damping = ProportionalDamping::new(0.3, 1e-3, 0.0)?;
+    /// let lambda = Complex::new(0.0, 7.0);
+    /// let expected = 1.0 / (2.0 * lambda * lambda + (0.3 * 2.0 + 1e-3 * 100.0) * lambda + 100.0);
+    /// assert!((damping.response(&exact, lambda)? - expected).norm() < 1e-15 * expected.norm());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MotionError::AxialForce`] where a member bears an axial force, a stiffness that nothing damps; [`MotionError::LossFactor`] for `Im λ < 0` beside a loss
+    /// factor; else as the response.
+    pub fn response(&self, exact: &impl ExactResponse<T>, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        if exact.bears_axial_force() {
+            return Err(MotionError::AxialForce);
+        }
+        let one = Complex::from(T::one());
+        if lambda.im < T::zero() && !self.loss_factor().is_zero() {
+            return Err(MotionError::LossFactor);
+        }
+        let factor = (one + lambda * self.of_stiffnesses()) * Complex::new(T::one(), self.loss_factor());
+        let square = lambda * (lambda + Complex::from(self.of_inertias())) / factor;
+        if exact.is_of_motion() {
+            let at_rest = exact.exactly(Complex::zero())?;
+            if lambda.is_zero() {
+                return Ok(at_rest);
+            }
+            let share = lambda / (lambda + Complex::from(self.of_inertias()));
+            return Ok(at_rest + (exact.exactly(square.sqrt())? - at_rest) * share);
+        }
+        Ok(exact.exactly(square.sqrt())? / factor)
+    }
+}

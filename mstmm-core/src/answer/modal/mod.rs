@@ -1,0 +1,9 @@
+//! Responses as sums over modes: in time, in frequency, with damping of each mode.
+
+pub(crate) mod damping;
+pub(crate) mod exact;
+pub(crate) mod history;
+pub(crate) mod in_frequency;
+pub(crate) mod of_tree;
+pub(crate) mod response;
+pub(crate) mod work;

@@ -1,0 +1,6 @@
+//! What modes and loads tell: work on shapes, damping of each mode, sums in frequency.
+
+mod damping;
+mod models;
+mod supports;
+mod work;
