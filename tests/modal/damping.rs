@@ -1,5 +1,4 @@
 //! Damping of each mode, and in proportion, in frequency and in time.
-#![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::{Cantilever, assert_close, number, reference};
 use core::f64::consts::PI;

@@ -1,5 +1,4 @@
 //! Motions of supports: what damps a mode moves with them.
-#![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::{Portal, assert_close};
 use mstmm::Complex;

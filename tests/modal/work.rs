@@ -1,5 +1,4 @@
 //! The work of loads on shapes.
-#![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::{Cantilever, Portal, assert_close, number, reference};
 use mstmm::motion::{Load, MotionError, PlaneLoad, PlanePoint};
