@@ -206,7 +206,7 @@ pub mod frame {
 
 /// All that a model needs: `use mstmm::prelude::*;`.
 pub mod prelude {
-    pub use crate::motion::{FrameAnalysis, ModalAnalysis, WhirlAnalysis};
+    pub use crate::motion::{Direction, FrameAnalysis, Load, ModalAnalysis, PlaneLoad, WhirlAnalysis};
     pub use crate::search::{
         Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
         Region, Spectrum, Sweep, Undamped, Whirl, fmin1d, fmin2d,

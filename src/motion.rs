@@ -4,11 +4,11 @@
 //! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    Coordinate, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree,
-    EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError,
-    MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit, PlaneEntry, PlaneFrequency,
-    PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, Root, Sample, ShapeList, Skew, SpacePoint,
-    State, SystemStates, Tree, WhirlAnalysis, mac,
+    Coordinate, Direction, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport,
+    DrawnTree, EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label,
+    MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit,
+    ParticipationFactor, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned,
+    Point, Root, Sample, ShapeList, Skew, SpacePoint, State, SystemStates, Tree, WhirlAnalysis, mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
@@ -271,3 +271,26 @@ pub use mstmm_core::Sketch;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::TreeSketch;
+
+/// How much of the mass each mode takes with it along a direction.
+///
+/// ```
+/// use mstmm::prelude::*;
+///
+/// system! {
+///     pub struct Cantilever { length: f64, bending_stiffness: f64, mass_per_length: f64 }
+///     fixed -> beam 1 { length, bending_stiffness, mass_per_length } -> free;
+/// }
+///
+/// let beam = Cantilever { length: 2.0, bending_stiffness: 8.0, mass_per_length: 1.5 }.build()?;
+/// let roots = beam.first_frequencies::<3>()?;
+/// let participation = beam.participation::<3, _>(&roots, Direction::y())?;
+/// for (mode, root) in roots.iter().enumerate() {
+///     let part = 100.0 * participation.cumulative(mode) / participation.total();
+///     println!("{:7.3} Hz {:6.3} kg, together {part:4.1} %", root.hertz(), participation.effective_mass(mode));
+/// }
+/// assert!((participation.effective_mass(0) / 3.0 - 0.6131).abs() < 1e-4);
+/// assert!((participation.total() - 3.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::Participation;

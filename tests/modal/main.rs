@@ -2,5 +2,6 @@
 
 mod damping;
 mod models;
+mod participation;
 mod supports;
 mod work;

@@ -1,7 +1,9 @@
 //! Questions about motions: the trait that users call.
 
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal::of_tree::OfTree;
+use crate::answer::modal::moving_mass::moving_mass;
+use crate::answer::modal::of_tree::{OfTree, WorkOnTree};
+use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::repeated_root::all_shapes;
@@ -9,12 +11,13 @@ use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
 use crate::answer::tree_sketch::TreeSketch;
 use crate::element::ListElement;
-use crate::model::{Chain, Entry, Load, MotionError};
+use crate::model::{Chain, Direction, Entry, Load, MotionError};
 use crate::number::{Frequency, Oscillation};
 use crate::pass::characteristic::System;
 use crate::pass::drawn_tree::DrawnTree;
 use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
+use mstmm_plan::Freedoms;
 
 /// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
 /// [`ComplexEigenvalue`](crate::number::frequency::ComplexEigenvalue).
@@ -145,6 +148,47 @@ pub trait ModalAnalysis: System {
     {
         const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
         ModalResponse::new(&OfTree::new(self, load, entry)?, roots)
+    }
+
+    /// How much of the mass the modes of some roots take with them, as [`Participation`] says: up to `N` shapes. Deflections have one direction, y.
+    ///
+    /// # Errors
+    /// [`MotionError::Capacity`] for more than `N` shapes, or more than both 4 and `N` of one root; else as [`moving_mass`](ModalAnalysis::moving_mass) and
+    /// [`mode_shapes`](ModalAnalysis::mode_shapes).
+    fn participation<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        direction: Direction<<Self as Planned>::Model>,
+    ) -> Result<Participation<Self::Parameter, N>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
+        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<<Self as System>::Parameter> + Sized,
+    {
+        const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
+        let total = self.moving_mass(direction)?;
+        Participation::new(&WorkOnTree { system: self, load: Load::self_weight() }, total, roots)
+    }
+
+    /// The mass that modes can move along y \[kg\]: that of all members whose deflection is y, and of each body what no support holds. It is what effective
+    /// masses of all modes sum up to.
+    ///
+    /// One part is never reached: at a held end a beam with rotary inertia and without shear has a layer of the mass `m r tanh(l/r)`, with `r² = ρI/m`, that
+    /// no mode moves.
+    ///
+    /// # Errors
+    /// [`MotionError::NoSuchFreedom`] for another direction than y; [`MotionError::NoUniformLoad`] for an element whose weight is not known;
+    /// [`MotionError::HeldMass`] for a body that a support holds in part.
+    fn moving_mass(
+        &self,
+        direction: Direction<<Self as Planned>::Model>,
+    ) -> Result<<Self as System>::Parameter, MotionError>
+    where
+        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<<Self as System>::Parameter>,
+    {
+        let freedom = Freedoms::EACH[direction.axis];
+        if freedom.is(Freedoms::Y) { moving_mass(self) } else { Err(MotionError::NoSuchFreedom { freedom }) }
     }
 }
 

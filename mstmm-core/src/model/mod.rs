@@ -2,6 +2,7 @@
 
 pub(crate) mod asked;
 pub(crate) mod chain_rule;
+pub(crate) mod direction;
 pub(crate) mod end_motion;
 pub(crate) mod ends;
 pub(crate) mod error;
@@ -21,6 +22,7 @@ pub(crate) mod tensor;
 pub(crate) mod turns;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
+pub(crate) use direction::Direction;
 pub(crate) use end_motion::EndMotion;
 pub(crate) use ends::Ends;
 pub(crate) use error::{InvalidParameter, ParameterError, Requirement, is_size_of_direction};

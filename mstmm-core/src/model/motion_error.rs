@@ -135,6 +135,11 @@ pub enum MotionError {
     },
     /// Damping in proportion to the stiffness of a system in which a member bears an axial force: a stiffness that nothing damps.
     AxialForce,
+    /// A body that something holds in part: how much of its mass modes can move is not known.
+    HeldMass {
+        /// The body.
+        at: Spot,
+    },
     /// There are more results than the capacity; none is returned.
     Capacity {
         /// The capacity.
@@ -267,6 +272,9 @@ impl MotionError {
                     f,
                     "a member bears an axial force, a stiffness that nothing damps: damping in proportion would damp it"
                 )
+            }
+            MotionError::HeldMass { at } => {
+                write!(f, "something holds a part of the mass at {at}: how much of it modes can move is not known")
             }
             MotionError::Capacity { capacity } => {
                 write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")

@@ -308,7 +308,8 @@ impl<M> PlaneLoad<M> {
         PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: Some(member), axis }))
     }
 
-    const fn weight(axis: usize) -> Self {
+    /// The weight of the whole model along an axis.
+    pub(crate) const fn weight(axis: usize) -> Self {
         PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: None, axis }))
     }
 

@@ -4,6 +4,8 @@ pub(crate) mod damping;
 pub(crate) mod exact;
 pub(crate) mod history;
 pub(crate) mod in_frequency;
+pub(crate) mod moving_mass;
 pub(crate) mod of_tree;
+pub(crate) mod participation;
 pub(crate) mod response;
 pub(crate) mod work;

@@ -2,7 +2,7 @@
 
 use crate::answer::at_rest::Part;
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal::response::Superposed;
+use crate::answer::modal::response::{Products, Superposed};
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
@@ -18,6 +18,12 @@ pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
     load: Load<Y::Model>,
     entry: Place,
     response: FrequencyResponse<'a, Y>,
+}
+
+/// The work of a load on the shapes of a tree.
+pub(crate) struct WorkOnTree<'a, Y: Planned + ?Sized> {
+    pub(crate) system: &'a Y,
+    pub(crate) load: Load<Y::Model>,
 }
 
 impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
@@ -36,7 +42,26 @@ impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     }
 }
 
-impl<T, R, Y> Superposed<T, R> for OfTree<'_, Y>
+/// Hands on what a function makes of each shape of a root.
+fn for_each<const CAP: usize, T, R, Y>(
+    system: &Y,
+    root: &R,
+    mut number: impl FnMut(&ModeShape<'_, Y, R::Frequency>) -> Result<R::Frequency, MotionError>,
+    add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+) -> Result<(), MotionError>
+where
+    T: Real,
+    R: Root<T>,
+    Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+{
+    if root.multiplicity() <= 1 {
+        return add(number(&simple(system, simple_root(root)?)?)?);
+    }
+    let shapes = all_shapes::<CAP, _, _, _>(system, root)?;
+    shapes.iter().try_for_each(|shape| add(number(shape)?))
+}
+
+impl<T, R, Y> Products<T, R> for OfTree<'_, Y>
 where
     T: Real,
     R: Root<T>,
@@ -47,13 +72,31 @@ where
         root: &R,
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError> {
-        if root.multiplicity() <= 1 {
-            return add(self.product(&simple(self.system, simple_root(root)?)?)?);
-        }
-        let shapes = all_shapes::<CAP, _, _, _>(self.system, root)?;
-        shapes.iter().try_for_each(|shape| add(self.product(shape)?))
+        for_each::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
     }
+}
 
+impl<T, R, Y> Products<T, R> for WorkOnTree<'_, Y>
+where
+    T: Real,
+    R: Root<T>,
+    Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+{
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        for_each::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load), add)
+    }
+}
+
+impl<T, R, Y> Superposed<T, R> for OfTree<'_, Y>
+where
+    T: Real,
+    R: Root<T>,
+    Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
+{
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
         self.response.held_at_rest()
     }

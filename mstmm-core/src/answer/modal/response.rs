@@ -84,26 +84,17 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
                 at_rest = Some(root);
                 continue;
             }
-            if root.multiplicity() <= USUAL_MULTIPLICITY {
-                response.add::<{ USUAL_MULTIPLICITY as usize }, R>(source, root)?;
-            } else {
-                response.add::<N, R>(source, root)?;
-            }
+            response.add(source, root)?;
         }
         response.complete(source, at_rest)?;
         Ok(response)
     }
 
-    /// Adds the contributions of a root other than zero. Not inlined, so that the memory of its shapes is freed.
-    #[inline(never)]
-    fn add<const CAP: usize, R: Root<T>>(
-        &mut self,
-        source: &impl Superposed<T, R>,
-        root: &R,
-    ) -> Result<(), MotionError> {
+    /// Adds the contributions of a root other than zero.
+    fn add<R: Root<T>>(&mut self, source: &impl Superposed<T, R>, root: &R) -> Result<(), MotionError> {
         let omega = root.frequency().omega().to_complex();
         let (lambda, place) = (Complex::new(-omega.im, omega.re), self.roots - 1);
-        source.for_each_product::<CAP>(root, &mut |product: R::Frequency| {
+        for_each_shape::<N, T, R>(source, root, &mut |product: R::Frequency| {
             let product = product.to_complex();
             let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
             self.push(Term { lambda, residue, root: place })
@@ -224,15 +215,32 @@ fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
     if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
 }
 
-/// A response whose parts at roots are known by their shapes.
-pub(crate) trait Superposed<T: Real, R: Root<T>> {
-    /// Hands on `φ φ` at the load and at the entry for each shape of a root, of which there is room for `CAP` if it is multiple.
+/// What is known of each shape of a root.
+pub(crate) trait Products<T: Real, R: Root<T>> {
+    /// Hands on a number for each shape of a root, of which there is room for `CAP` if it is multiple.
     fn for_each_product<const CAP: usize>(
         &self,
         root: &R,
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError>;
+}
 
+/// Hands on a number for each shape of a root, with room for as many as a root usually has, or for `CAP`. Not inlined, so that the memory of its shapes is freed.
+#[inline(never)]
+pub(crate) fn for_each_shape<const CAP: usize, T: Real, R: Root<T>>(
+    source: &impl Products<T, R>,
+    root: &R,
+    add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+) -> Result<(), MotionError> {
+    if root.multiplicity() <= USUAL_MULTIPLICITY {
+        source.for_each_product::<{ USUAL_MULTIPLICITY as usize }>(root, add)
+    } else {
+        source.for_each_product::<CAP>(root, add)
+    }
+}
+
+/// A response whose parts at roots, `φ φ` at the load and at the entry, are known by their shapes.
+pub(crate) trait Superposed<T: Real, R: Root<T>>: Products<T, R> {
     /// The static limit of a system that is held; `None` where something moves off.
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError>;
 

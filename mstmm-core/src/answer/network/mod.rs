@@ -3,6 +3,7 @@
 pub(crate) mod energies;
 pub(crate) mod geometry;
 pub(crate) mod inside;
+mod moving_mass;
 pub(crate) mod of_frame;
 pub(crate) mod questions;
 pub(crate) mod response;

@@ -1,7 +1,7 @@
 //! The response of a plane structure as a sum over modes takes it.
 
 use crate::answer::at_rest::Part;
-use crate::answer::modal::response::Superposed;
+use crate::answer::modal::response::{Products, Superposed};
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
@@ -17,6 +17,12 @@ pub(super) struct OfFrame<'a, Y: Placed> {
     load: PlaneLoad<Y::Model>,
     entry: PlaneEntry<Y::Model>,
     response: PlaneResponse<'a, Y>,
+}
+
+/// The work of a load on the shapes of a plane structure.
+pub(super) struct WorkOnFrame<'a, Y: Placed> {
+    pub(super) system: &'a Y,
+    pub(super) load: PlaneLoad<Y::Model>,
 }
 
 impl<'a, Y: Placed> OfFrame<'a, Y> {
@@ -41,7 +47,26 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
     }
 }
 
-impl<T, R, Y> Superposed<T, R> for OfFrame<'_, Y>
+/// Hands on what a function makes of each shape of a root.
+fn for_each<const CAP: usize, T, R, Y>(
+    system: &Y,
+    root: &R,
+    mut number: impl FnMut(&PlaneShape<'_, Y, R::Frequency>) -> Result<R::Frequency, MotionError>,
+    add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+) -> Result<(), MotionError>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
+    if root.multiplicity() <= 1 {
+        return add(number(&simple(system, simple_root(root)?)?)?);
+    }
+    let shapes = all::<CAP, _, _>(system, root.frequency(), root.multiplicity())?;
+    shapes.iter().try_for_each(|shape| add(number(shape)?))
+}
+
+impl<T, R, Y> Products<T, R> for OfFrame<'_, Y>
 where
     T: Real,
     R: Root<T, Frequency: PlaneFrequency<T>>,
@@ -52,13 +77,31 @@ where
         root: &R,
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError> {
-        if root.multiplicity() <= 1 {
-            return add(self.product(&simple(self.system, simple_root(root)?)?)?);
-        }
-        let shapes = all::<CAP, _, _>(self.system, root.frequency(), root.multiplicity())?;
-        shapes.iter().try_for_each(|shape| add(self.product(shape)?))
+        for_each::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
     }
+}
 
+impl<T, R, Y> Products<T, R> for WorkOnFrame<'_, Y>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        for_each::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load), add)
+    }
+}
+
+impl<T, R, Y> Superposed<T, R> for OfFrame<'_, Y>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
         match self.response.states(R::Frequency::zero()) {
             Err(MotionError::Resonance { .. }) => Ok(None),

@@ -1,7 +1,9 @@
 //! Questions about motions of plane structures: the trait that users call.
 
+use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
-use crate::answer::network::of_frame::OfFrame;
+use crate::answer::network::moving_mass::moving_mass;
+use crate::answer::network::of_frame::{OfFrame, WorkOnFrame};
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
@@ -9,7 +11,7 @@ use crate::answer::network::sketch::Sketch;
 use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
-use crate::model::{MotionError, PlaneEntry, PlaneLoad};
+use crate::model::{Direction, MotionError, PlaneEntry, PlaneLoad};
 use crate::pass::characteristic::System;
 use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency};
 
@@ -113,6 +115,44 @@ pub trait FrameAnalysis: Placed + Sized {
     {
         const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
         ModalResponse::new(&OfFrame::new(self, load, entry)?, roots)
+    }
+
+    /// How much of the mass the modes of some roots take with them along a direction, as [`Participation`] says: up to `N` shapes.
+    ///
+    /// # Errors
+    /// [`MotionError::Capacity`] for more than `N` shapes, or more than both 4 and `N` of one root; else as [`moving_mass`](FrameAnalysis::moving_mass) and
+    /// [`mode_shapes`](FrameAnalysis::mode_shapes).
+    #[inline(never)]
+    fn participation<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        direction: Direction<Self::Model>,
+    ) -> Result<Participation<Self::Parameter, N>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<<Self as System>::Parameter>,
+    {
+        const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
+        let total = self.moving_mass(direction)?;
+        Participation::new(&WorkOnFrame { system: self, load: PlaneLoad::weight(direction.axis) }, total, roots)
+    }
+
+    /// The mass that modes can move along a direction \[kg\]: of each member what it has along the direction, of each body what no support holds. It is what
+    /// effective masses of all modes sum up to.
+    ///
+    /// One part is never reached: at a held end a beam with rotary inertia and without shear has a layer of the mass `m r tanh(l/r)`, with `r² = ρI/m`, that
+    /// no mode moves.
+    ///
+    /// # Errors
+    /// [`MotionError::NoUniformLoad`] and [`MotionError::NoSuchFreedom`] where a member has no weight along the direction; [`MotionError::HeldMass`] for a body
+    /// that supports hold in part, if rigid joints tie bodies other than motion by motion.
+    fn moving_mass(&self, direction: Direction<Self::Model>) -> Result<<Self as System>::Parameter, MotionError>
+    where
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<<Self as System>::Parameter>,
+    {
+        moving_mass(self, direction)
     }
 }
 

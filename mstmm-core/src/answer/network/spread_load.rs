@@ -29,6 +29,10 @@ where
         }
         return Ok(loads);
     }
+    let freedom = Freedoms::EACH[load.axis];
+    if freedom.is(Freedoms::Z) && system.is_flat() {
+        return Err(MotionError::NoSuchFreedom { freedom });
+    }
     let has_weight = |node: usize| {
         let (body, motions) = system.node(node);
         motions.is_of_path && body.has_body() && !body.mass.is_zero()
@@ -50,7 +54,7 @@ where
 {
     let density = match load.member {
         Some(loaded) => S::from_f64(if system.parts_of(loaded)?.contains(&member) { 1.0 } else { 0.0 }),
-        None => system.visit_member(member, MassPerLength).unwrap_or_default(),
+        None => mass_per_length(system, member),
     };
     if density.is_zero() {
         return Ok([S::zero(); 2]);
@@ -97,6 +101,15 @@ where
     pub(super) fn load_on(&self, member: usize) -> Option<[S; 2]> {
         on_member(self.system, self.spread()?, member).ok().filter(|load| load.iter().any(|part| !part.is_zero()))
     }
+}
+
+/// The mass per length of a member.
+pub(super) fn mass_per_length<Y, S>(system: &Y, member: usize) -> S
+where
+    Y: PlacedMotions<S>,
+    S: Oscillation<Y::Parameter>,
+{
+    system.visit_member(member, MassPerLength).unwrap_or_default()
 }
 
 struct MassPerLength;

@@ -92,6 +92,14 @@ impl<T: Parameter> Motions<T> {
         motions
     }
 
+    /// Whether a joint ties its displacement along an axis to a node at rest.
+    pub(crate) fn rests_along(&self, axis: usize) -> bool {
+        let mut own = self.directions.iter().zip(&self.shared).take(self.count);
+        own.any(|(direction, shared)| {
+            matches!(direction, Direction::Of(place) if *place == axis) && *shared == Shared::AtRest
+        })
+    }
+
     /// Whether all are motions in the plane of x and y.
     pub(crate) fn is_in_plane(&self) -> bool {
         let is_flat = |direction: &Direction<T>| match direction {

@@ -11,7 +11,7 @@ use crate::pass::network::motions::{Motions, NONE, Shared};
 use crate::pass::network::placed::Placed;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::vector::Six;
-use crate::structure::MemberStiffness;
+use crate::structure::{MOST_MOTIONS, MemberStiffness};
 use mstmm_plan::Freedoms;
 
 /// Finds the joints by which nodes hang on others.
@@ -47,21 +47,32 @@ fn may_hang<T: Real>(motions: &[Motions<T>], placements: &[Placement<T>], [leaf,
 /// Lets the node of an end hang on that of the other one, if what the joint ties are motions of both. Returns whether it does.
 fn hang<T: Real>(motions: &mut [Motions<T>], placement: &Placement<T>, member: usize, leaf: usize) -> bool {
     let [own, other] = [leaf, 1 - leaf].map(|end| placement.node_of(end));
+    let Some(shared) = shares(placement, leaf, motions[other].count == 0, other) else { return false };
+    (motions[own].shared, motions[own].hangs_by) = (shared, member as u32);
+    true
+}
+
+/// What each motion of the node of an end is, if what the joint ties are motions of both nodes alone.
+pub(super) fn shares<T: Real>(
+    placement: &Placement<T>,
+    leaf: usize,
+    rests: bool,
+    other: usize,
+) -> Option<[Shared; MOST_MOTIONS]> {
     let rows = placement.rows();
-    let mut shared = motions[own].shared;
+    let mut shared = [Shared::Own; MOST_MOTIONS];
     for (freedom, _) in each_of(placement.freedoms) {
-        let Some((motion, coefficient)) = single(&rows[leaf][freedom]) else { return false };
-        shared[motion] = if motions[other].count == 0 {
+        let (motion, coefficient) = single(&rows[leaf][freedom])?;
+        shared[motion] = if rests {
             Shared::AtRest
         } else {
             match single(&rows[1 - leaf][freedom]) {
                 Some((with, same)) if same == coefficient => Shared::With { node: other as u32, motion: with as u8 },
-                _ => return false,
+                _ => return None,
             }
         };
     }
-    (motions[own].shared, motions[own].hangs_by) = (shared, member as u32);
-    true
+    Some(shared)
 }
 
 /// The freedoms of a set, with their indices.
