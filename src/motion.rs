@@ -5,8 +5,8 @@
 
 pub use mstmm_core::{
     Coordinate, Direction, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport,
-    DrawnTree, EndMotion, EnergyShares, Entry, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label,
-    MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit,
+    DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace,
+    Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit,
     ParticipationFactor, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned,
     Point, Root, Sample, ShapeList, Skew, SpacePoint, State, SystemStates, Tree, WhirlAnalysis, mac,
 };

@@ -34,7 +34,7 @@ pub use answer::frequency_response::FrequencyResponse;
 pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal::exact::ExactResponse;
-pub use answer::modal::history::ForceHistory;
+pub use answer::modal::history::{EntryMotion, ForceHistory};
 pub use answer::modal::participation::{Participation, ParticipationFactor};
 pub use answer::modal::response::ModalResponse;
 pub use answer::mode_shape::{ModeShape, ShapeList};

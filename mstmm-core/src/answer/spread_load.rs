@@ -10,7 +10,7 @@ use crate::number::{Oscillation, Scaled, Single};
 use crate::pass::both_ways::Passes;
 use crate::pass::route::Place;
 use crate::pass::tree::Tree;
-use mstmm_plan::{Coordinate, Space};
+use mstmm_plan::{Coordinate, Freedoms, Space};
 
 /// What a load works on a motion, and a size compared with which its rounding is small.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +67,14 @@ where
                     let part = part?;
                     Ok(Work { value: sum.value + part.value, size: sum.size + part.size })
                 })
+            }
+            Spread::Inertia(axis) => {
+                let freedom = Freedoms::EACH[axis];
+                if !freedom.is(Freedoms::Y) {
+                    return Err(MotionError::NoSuchFreedom { freedom });
+                }
+                let weight = self.work_of(Spread::Weight)?;
+                Ok(Work { value: -weight.value, size: weight.size })
             }
         }
     }

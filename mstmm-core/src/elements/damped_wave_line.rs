@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in which of foundation and loss they have.
 
 use crate::element::{
-    BackTransfer, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
-    MemberWork, PlaneStep, TransferMatrix, along_member,
+    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion,
+    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::damped_line::DampedLine;
@@ -157,10 +157,20 @@ macro_rules! damped_wave_lines {
                 path_state(built.state_at(&stretch, T::from_f64(distance)), is_rotation::<Self>())
             }
 
+            fn load_work(built: &DampedLine<T>, ends: &Ends<S>) -> Option<S> {
+                Some(built.load_work(&Stretch::of_path(ends, is_rotation::<Self>())))
+            }
+
+            fn mass_per_length(built: &DampedLine<T>) -> S {
+                weight::<Self, T, S>(built)
+            }
+
             fn gradient(built: &DampedLine<T>, ends: &Ends<S>) -> $element<S> {
                 $element::of_gradient(built.gradient(&Stretch::of_path(ends, is_rotation::<Self>())))
             }
         }
+
+        impl<T: Real> CarriesLoad for $element<T> {}
 
         impl<S> $element<S> {
             /// The derivatives with respect to length, stiffness, inertia and foundation, and to those of damping.
@@ -196,6 +206,26 @@ macro_rules! damped_wave_lines {
             fn motion_at(built: &DampedLine<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
                 let stretch = Stretch::in_freedom(motion, freedom::<Self>());
                 EndMotion::at_rest().in_freedom(freedom::<Self>(), built.state_at(&stretch, T::from_f64(distance)))
+            }
+
+            fn load_work(built: &DampedLine<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
+                (!is_rotation::<Self>()).then(|| [built.load_work(&Stretch::of(motion)), S::zero()])
+            }
+
+            fn mass_per_length(built: &DampedLine<T>) -> S {
+                weight::<Self, T, S>(built)
+            }
+
+            fn motion_under_load(
+                built: &DampedLine<T>,
+                motion: &MemberEnds<S>,
+                [load, _]: [S; 2],
+                distance: f64,
+            ) -> EndMotion<S> {
+                if is_rotation::<Self>() {
+                    return Self::motion_at(built, motion, distance);
+                }
+                EndMotion::at_rest().stretched(built.state_under(&Stretch::of(motion), load, T::from_f64(distance)))
             }
         }
 
@@ -248,6 +278,11 @@ const fn is_rotation<E: Element>() -> bool {
 /// The freedom of a member in which a line moves: along it, or about z.
 const fn freedom<E: Element>() -> usize {
     if is_rotation::<E>() { 2 } else { 0 }
+}
+
+/// The mass per length of a line; one that turns has no weight.
+fn weight<E: Element, T: Parameter, S: ComplexFrequency<T>>(built: &DampedLine<T>) -> S {
+    if is_rotation::<E>() { S::zero() } else { S::from_parameter(built.line.section.inertia) }
 }
 
 /// The forms of two motions of a path.

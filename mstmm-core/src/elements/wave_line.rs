@@ -59,7 +59,7 @@ macro_rules! weight {
 macro_rules! under_load {
     (Translation) => {
         fn load_work(built: &UniformLine<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {
-            Some([built.section.load_work(&Stretch::of(motion)), S::zero()])
+            Some([built.section.undamped_load_work(&Stretch::of(motion)), S::zero()])
         }
 
         fn motion_under_load(
@@ -68,7 +68,7 @@ macro_rules! under_load {
             [load, _]: [S; 2],
             distance: f64,
         ) -> EndMotion<S> {
-            let at = built.section.at_under(&Stretch::of(motion), load, T::from_f64(distance));
+            let at = built.section.undamped_at_under(&Stretch::of(motion), load, T::from_f64(distance));
             EndMotion::at_rest().stretched(at)
         }
     };
@@ -200,7 +200,7 @@ macro_rules! wave_lines {
             }
 
             fn load_work(built: &UniformLine<T>, ends: &Ends<S>) -> Option<S> {
-                Some(built.section.load_work(&along!($space, ends)))
+                Some(built.section.undamped_load_work(&along!($space, ends)))
             }
 
             weight!($space);

@@ -1,6 +1,6 @@
 //! Directions in which a whole model moves, or is pulled.
 
-use crate::model::label::plain;
+use crate::model::plain::plain;
 use core::marker::PhantomData;
 
 /// A direction along an axis of a model `M`, in which its ground moves. A model without places has y alone, that of its deflections.

@@ -1,5 +1,7 @@
 //! Labels of a model as values: a label of another model does not compile.
 
+use crate::model::direction::Direction;
+use crate::model::plain::plain;
 use core::marker::PhantomData;
 use mstmm_plan::Coordinate;
 
@@ -41,6 +43,8 @@ pub(crate) enum Spread {
     Along(usize),
     /// The weight of all elements under an acceleration of 1 m/s².
     Weight,
+    /// The inertia of all elements where the ground has an acceleration of 1 m/s² along an axis: the weight with the other sign.
+    Inertia(usize),
 }
 
 /// An entry of the state at a point.
@@ -121,27 +125,13 @@ impl<M> Load<M> {
     pub const fn self_weight() -> Self {
         Load::new(Acting::Spread(Spread::Weight))
     }
+
+    /// An acceleration of 1 m/s² of the ground, to which all supports belong. Entries are relative to the ground, as whose part a mass m bears the force `-m a`;
+    /// [`absolute`](crate::ModalResponse::absolute) adds the motion of the ground. Deflections have one direction, y.
+    pub const fn base_acceleration(direction: Direction<M>) -> Self {
+        Load::new(Acting::Spread(Spread::Inertia(direction.axis)))
+    }
 }
-
-/// Copies and prints a value whatever the model is.
-macro_rules! plain {
-    ($name:ident<$($life:lifetime,)? M $(, $other:ident $(: $bound:ident)?)?>, $($field:ident),*) => {
-        impl<$($life,)? M $(, $other $(: $bound)?)?> Clone for $name<$($life,)? M $(, $other)?> {
-            fn clone(&self) -> Self {
-                *self
-            }
-        }
-
-        impl<$($life,)? M $(, $other $(: $bound)?)?> Copy for $name<$($life,)? M $(, $other)?> {}
-
-        impl<$($life,)? M $(, $other $(: $bound)?)?> core::fmt::Debug for $name<$($life,)? M $(, $other)?> {
-            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
-            }
-        }
-    };
-}
-pub(crate) use plain;
 
 plain!(Label<M, E>, step, input);
 plain!(Point<M>, step, beyond);

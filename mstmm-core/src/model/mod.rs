@@ -12,6 +12,7 @@ pub(crate) mod label;
 pub(crate) mod load_error;
 pub(crate) mod member_plane;
 pub(crate) mod motion_error;
+pub(crate) mod plain;
 pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
 pub(crate) mod search_error;
@@ -28,10 +29,11 @@ pub(crate) use ends::Ends;
 pub(crate) use error::{InvalidParameter, ParameterError, Requirement, is_size_of_direction};
 pub(crate) use estimates::FrequencyEstimates;
 pub(crate) use extent::Extent;
-pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread, plain};
+pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread};
 pub(crate) use load_error::LoadError;
 pub(crate) use member_plane::{MemberPlane, Skew, across, up_of};
 pub(crate) use motion_error::MotionError;
+pub(crate) use plain::plain;
 pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,
     Tied,

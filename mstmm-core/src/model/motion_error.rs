@@ -135,6 +135,12 @@ pub enum MotionError {
     },
     /// Damping in proportion to the stiffness of a system in which a member bears an axial force: a stiffness that nothing damps.
     AxialForce,
+    /// A rate under the motion of a support, with which a part of the entry moves at once.
+    SupportMotion,
+    /// An acceleration of a support where the load is no motion of one.
+    NoSupportMotion,
+    /// A motion of the ground where the load is no acceleration of it.
+    NotOfGround,
     /// A body that something holds in part: how much of its mass modes can move is not known.
     HeldMass {
         /// The body.
@@ -238,12 +244,6 @@ impl MotionError {
                 let name = held_name(freedom);
                 write!(f, "no support holds this point {name}: there is no reaction, and nothing that could move it")
             }
-            MotionError::NotModal => {
-                write!(
-                    f,
-                    "a reaction to the motion of a support is no sum over modes: ask `frequency_response` for it, or for forces in members"
-                )
-            }
             MotionError::NoSuchFreedom { freedom } => {
                 let name = motion_name(freedom);
                 write!(f, "this point has no {name}: no element there brings it, or a joint releases it")
@@ -260,6 +260,22 @@ impl MotionError {
             MotionError::Outside { distance, length } => {
                 write!(f, "{distance} m from the input end is outside of the element, whose length is {length} m")
             }
+            MotionError::Capacity { capacity } => {
+                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
+            }
+            _ => self.fmt_sum(f),
+        }
+    }
+
+    /// What is wrong with a sum over modes.
+    fn fmt_sum(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            MotionError::NotModal => {
+                write!(
+                    f,
+                    "a reaction to the motion of a support is no sum over modes: ask `frequency_response` for it, or for forces in members"
+                )
+            }
             MotionError::TimeStep { step } => write!(f, "a step of {step} s is none: it has to be positive and finite"),
             MotionError::DampingRatio { ratio } => {
                 write!(f, "with a damping ratio of {ratio} no mode vibrates: it has to be at least 0 and below 1")
@@ -273,11 +289,23 @@ impl MotionError {
                     "a member bears an axial force, a stiffness that nothing damps: damping in proportion would damp it"
                 )
             }
+            MotionError::SupportMotion => {
+                write!(
+                    f,
+                    "a part of the entry moves with the support at once: take the acceleration of the support as the load, by `from_acceleration`"
+                )
+            }
+            MotionError::NoSupportMotion => {
+                write!(
+                    f,
+                    "the load is no motion of a support: an acceleration of the ground is the load `base_acceleration`"
+                )
+            }
+            MotionError::NotOfGround => {
+                write!(f, "the load is no acceleration of the ground: take the load `base_acceleration`")
+            }
             MotionError::HeldMass { at } => {
                 write!(f, "something holds a part of the mass at {at}: how much of it modes can move is not known")
-            }
-            MotionError::Capacity { capacity } => {
-                write!(f, "there are more results than the capacity of {capacity}; ask for a larger one")
             }
             _ => Ok(()),
         }

@@ -1,6 +1,7 @@
 //! Points of plane models as values: a point of another model does not compile.
 
-use crate::model::label::plain;
+use crate::model::direction::Direction;
+use crate::model::plain::plain;
 use core::marker::PhantomData;
 use mstmm_plan::Freedoms;
 
@@ -69,6 +70,8 @@ pub(crate) struct SpreadLoad {
     pub(crate) member: Option<Handle>,
     /// The axis, x or y.
     pub(crate) axis: usize,
+    /// Whether it is the inertia of all where the ground has an acceleration: the weight with the other sign.
+    pub(crate) is_inertia: bool,
 }
 
 /// What a motion of a plane model is asked for.
@@ -305,12 +308,20 @@ impl<M> PlaneLoad<M> {
 
     /// A load of 1 per length along a member.
     pub(crate) const fn along(member: Handle, axis: usize) -> Self {
-        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: Some(member), axis }))
+        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: Some(member), axis, is_inertia: false }))
     }
 
     /// The weight of the whole model along an axis.
     pub(crate) const fn weight(axis: usize) -> Self {
-        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: None, axis }))
+        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: None, axis, is_inertia: false }))
+    }
+
+    /// An acceleration of 1 m/s² of the ground, to which all supports belong. Entries are relative to the ground, as whose part a mass m bears the force `-m a`;
+    /// [`absolute`](crate::ModalResponse::absolute) adds the motion of the ground. A support that moves beside others is
+    /// [`motion_x`](PlanePoint::motion_x).
+    pub const fn base_acceleration(direction: Direction<M>) -> Self {
+        let axis = direction.axis;
+        PlaneLoad::new(PlaneActing::Spread(SpreadLoad { member: None, axis, is_inertia: true }))
     }
 
     /// The weight of the whole model under an acceleration of 1 m/s² along x: each member is loaded by its mass per length, each rigid body

@@ -1,7 +1,7 @@
 //! Points and ends of members of models in space as values.
 
 use crate::model::asked::{asked_along_x, asked_along_y, asked_in_space};
-use crate::model::label::plain;
+use crate::model::plain::plain;
 use crate::model::plane_label::{MemberEnd, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 
 /// A model whose points have three coordinates, or may have.

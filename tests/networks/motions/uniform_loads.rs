@@ -2,6 +2,7 @@
 
 mod beside_trees;
 mod cut;
+mod damped;
 mod refused;
 mod weights;
 

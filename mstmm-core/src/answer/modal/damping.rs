@@ -99,8 +99,9 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
 
     /// What is no mode, for a response with damping.
     fn without_terms(&self) -> Damped<T, N> {
-        let ModalResponse { rigid, residual, lag, roots, is_motion, .. } = *self;
-        ModalResponse { terms: List::new(), rigid, residual, lag, roots, is_motion, meaning: core::marker::PhantomData }
+        let ModalResponse { rigid, residual, lag, roots, is_motion, along, carried, .. } = *self;
+        let (terms, meaning) = (List::new(), core::marker::PhantomData);
+        ModalResponse { terms, rigid, residual, lag, roots, is_motion, along, carried, meaning }
     }
 }
 

@@ -62,12 +62,12 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         let late = Complex::from(T::one()) + lambda * self.lag;
         let (sum, _) = self.sum_at(lambda);
         let held = Complex::from(self.residual) / late + sum;
-        if self.rigid.is_zero() {
+        if self.away().is_zero() {
             return Ok(held);
         }
         if lambda.is_zero() {
             return Err(MotionError::Resonance { frequency: 0.0 });
         }
-        Ok(held + Complex::from(self.rigid) / (lambda * lambda))
+        Ok(held + Complex::from(self.away()) / (lambda * lambda))
     }
 }

@@ -7,5 +7,6 @@ pub(crate) mod in_frequency;
 pub(crate) mod moving_mass;
 pub(crate) mod of_tree;
 pub(crate) mod participation;
+pub(crate) mod rates;
 pub(crate) mod response;
 pub(crate) mod work;

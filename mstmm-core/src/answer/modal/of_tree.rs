@@ -6,11 +6,12 @@ use crate::answer::modal::response::{Products, Superposed};
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
-use crate::model::{Entry, Load, MotionError};
+use crate::model::{Acting, Entry, Load, MotionError, Spread};
 use crate::number::{Real, Single};
 use crate::pass::characteristic::System;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
+use mstmm_plan::Coordinate;
 
 /// The response of a tree.
 pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
@@ -107,6 +108,12 @@ where
 
     fn lowest_exponent(&self) -> i32 {
         self.system.frequency_estimates().lowest_exponent()
+    }
+
+    fn goes_along(&self) -> Option<T> {
+        let is_along = self.entry.coordinate == Coordinate::Y;
+        let is_of_ground = matches!(self.load.acting, Acting::Spread(Spread::Inertia(_)));
+        is_of_ground.then(|| if is_along { T::one() } else { T::zero() })
     }
 
     fn has_loss(&self) -> bool {

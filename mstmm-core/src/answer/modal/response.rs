@@ -28,8 +28,8 @@ const ROUNDING: f64 = 64.0;
 /// Rigid bodies, and parts that only dampers hold, move by the poles `r₂/λ² + r₁/λ` of the response at λ = 0, if the list has that
 /// root. If it has not, they do not move off, and the residual compliance is that of the response without these poles.
 ///
-/// A response does not borrow the system: it is a plain value. `M` is the meaning of its frequencies: [`RealFrequency`] for an
-/// undamped system, [`ComplexEigenvalue`] for a damped one.
+/// A response does not borrow the system: it is a plain value. `M` is the meaning of its frequencies: [`RealFrequency`](crate::RealFrequency) for an
+/// undamped system, [`ComplexEigenvalue`](crate::ComplexEigenvalue) for a damped one.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) terms: List<Term<T>, N>,
@@ -43,6 +43,10 @@ pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) roots: usize,
     /// Whether its load is the motion of a support.
     pub(crate) is_motion: bool,
+    /// Under an acceleration of the ground: how far the entry goes along with a motion of 1 of the ground.
+    pub(crate) along: Option<T>,
+    /// How much of the motion of the ground is in it.
+    pub(crate) carried: T,
     pub(crate) meaning: PhantomData<fn() -> M>,
 }
 
@@ -70,8 +74,17 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         }
         let [rigid, residual, lag] = [T::zero(); 3];
         let is_motion = source.is_motion();
-        let mut response =
-            ModalResponse { terms: List::new(), rigid, residual, lag, roots: 0, is_motion, meaning: PhantomData };
+        let mut response = ModalResponse {
+            terms: List::new(),
+            rigid,
+            residual,
+            lag,
+            roots: 0,
+            is_motion,
+            along: source.goes_along(),
+            carried: T::zero(),
+            meaning: PhantomData,
+        };
         let mut at_rest = None;
         for root in roots {
             response.roots += 1;
@@ -143,6 +156,11 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Ok(())
     }
 
+    /// The acceleration of what moves off at once, under a load of 1.
+    pub(super) fn away(&self) -> T {
+        self.rigid + self.carried
+    }
+
     /// The static response of the listed modes, without those at zero.
     fn held(&self) -> T {
         self.terms.iter().fold(T::zero(), |sum, term| sum + term.at_rest())
@@ -165,7 +183,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             return T::zero();
         }
         let one = |term: &Term<T>| (term.residue * exponential(term.lambda * time)).re;
-        self.terms.iter().fold(self.rigid * time, |sum, term| sum + one(term))
+        self.terms.iter().fold(self.away() * time, |sum, term| sum + one(term))
     }
 
     /// The entry at a time \[s\] after the begin of a constant load of 1 N, or of 1 N m; 0 before it, NaN for a time that is
@@ -176,7 +194,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         }
         let half = T::from_f64(0.5);
         let one = |term: &Term<T>| (term.residue * phi_1(term.lambda * time)).re * time;
-        let away = self.rigid * time * time * half;
+        let away = self.away() * time * time * half;
         self.terms.iter().fold(self.residual_after(time) + away, |sum, term| sum + one(term))
     }
 
@@ -196,7 +214,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// # Errors
     /// [`MotionError::Resonance`] where a rigid body of the list moves off, or drifts against a damper.
     pub fn static_value(&self) -> Result<T, MotionError> {
-        if !self.rigid.is_zero() || self.terms.iter().any(|term| term.lambda.is_zero()) {
+        if !self.away().is_zero() || self.terms.iter().any(|term| term.lambda.is_zero()) {
             return Err(MotionError::Resonance { frequency: 0.0 });
         }
         Ok(self.held() + self.residual)
@@ -253,6 +271,11 @@ pub(crate) trait Superposed<T: Real, R: Root<T>>: Products<T, R> {
     /// Whether its load is the motion of a support.
     fn is_motion(&self) -> bool {
         false
+    }
+
+    /// How far the entry goes along with a motion of 1 of the ground, if the load is an acceleration of that.
+    fn goes_along(&self) -> Option<T> {
+        None
     }
 
     /// Whether something has a loss factor.

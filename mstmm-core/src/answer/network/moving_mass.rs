@@ -15,7 +15,7 @@ where
     T: Real + Oscillation<T>,
     Y: Placed + PlacedMotions<T> + System<Parameter = T>,
 {
-    let weight = SpreadLoad { member: None, axis: direction.axis };
+    let weight = SpreadLoad { member: None, axis: direction.axis, is_inertia: false };
     let weights = loads::<Y, T>(system, weight)?;
     let of_members = weights.as_ref().iter().enumerate().take(system.sizes()[1]);
     of_members.fold(mass_of_bodies(system, direction.axis), |sum, (member, [along, across])| {

@@ -5,7 +5,7 @@ use crate::answer::modal::response::{Products, Superposed};
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
-use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity};
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad};
 use crate::number::Real;
 use crate::pass::characteristic::System;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
@@ -115,6 +115,12 @@ where
 
     fn lowest_exponent(&self) -> i32 {
         self.response.lowest_exponent()
+    }
+
+    fn goes_along(&self) -> Option<T> {
+        let PlaneActing::Spread(SpreadLoad { axis, is_inertia: true, .. }) = self.load.acting else { return None };
+        let is_along = matches!(self.entry.quantity, Quantity::Displacement(_, own) if own == axis);
+        Some(if is_along { T::one() } else { T::zero() })
     }
 
     fn is_motion(&self) -> bool {

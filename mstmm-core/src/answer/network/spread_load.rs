@@ -54,6 +54,7 @@ where
 {
     let density = match load.member {
         Some(loaded) => S::from_f64(if system.parts_of(loaded)?.contains(&member) { 1.0 } else { 0.0 }),
+        None if load.is_inertia => -mass_per_length::<Y, S>(system, member),
         None => mass_per_length(system, member),
     };
     if density.is_zero() {

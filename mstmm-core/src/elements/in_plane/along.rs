@@ -35,15 +35,11 @@ pub(crate) trait AlongMotion<S: Scalar> {
     /// The derivatives of the dynamic work.
     fn gradient(&self, work: &MemberWork<S>) -> AlongGradient<S>;
 
-    /// The work of a load of 1 per length on a motion; `None` where no load acts.
-    fn load_work(&self, _motion: &Stretch<S>) -> Option<S> {
-        None
-    }
+    /// The work of a load of 1 per length on a motion.
+    fn load_work(&self, motion: &Stretch<S>) -> S;
 
     /// Displacement and axial force at a distance from the input end under so many times that load.
-    fn state_under(&self, motion: &Stretch<S>, _load: S, distance: f64) -> [S; 2] {
-        self.state_at(motion, distance)
-    }
+    fn state_under(&self, motion: &Stretch<S>, load: S, distance: f64) -> [S; 2];
 }
 
 impl<T: Parameter> Along<T> for UniformLine<T> {
@@ -97,12 +93,12 @@ impl<T: Real, S: Oscillation<T>> AlongMotion<S> for UniformLine<T> {
         AlongGradient { length, stiffness, mass, damping: [S::zero(); 3] }
     }
 
-    fn load_work(&self, motion: &Stretch<S>) -> Option<S> {
-        Some(self.section.load_work(motion))
+    fn load_work(&self, motion: &Stretch<S>) -> S {
+        self.section.undamped_load_work(motion)
     }
 
     fn state_under(&self, motion: &Stretch<S>, load: S, distance: f64) -> [S; 2] {
-        self.section.at_under(motion, load, T::from_f64(distance))
+        self.section.undamped_at_under(motion, load, T::from_f64(distance))
     }
 }
 
@@ -135,5 +131,13 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> AlongMotion<S> for Damped
     fn gradient(&self, work: &MemberWork<S>) -> AlongGradient<S> {
         let ([length, stiffness, mass, _], damping) = self.gradient(&Stretch::of_work(work));
         AlongGradient { length, stiffness, mass, damping }
+    }
+
+    fn load_work(&self, motion: &Stretch<S>) -> S {
+        self.load_work(motion)
+    }
+
+    fn state_under(&self, motion: &Stretch<S>, load: S, distance: f64) -> [S; 2] {
+        self.state_under(motion, load, T::from_f64(distance))
     }
 }

@@ -5,7 +5,6 @@ use crate::elements::in_plane::InPlane;
 use crate::elements::in_plane::across::{Across, Stretching};
 use crate::elements::in_plane::along::AlongMotion;
 use crate::elements::shared::rod_motion::Stretch;
-use crate::elements::shared::uniform_line::UniformLine;
 use crate::model::EndMotion;
 use crate::number::Scalar;
 
@@ -28,8 +27,7 @@ fn both<B: Stretching, S: Scalar>([along, across]: [S; 2]) -> [S; 2] {
     if B::IS_STRING { [across, along] } else { [along, across] }
 }
 
-/// A damped line takes no load.
-impl<T, B> CarriesLoad for InPlane<B> where B: Stretching<Number = T, Line = UniformLine<T>> + CarriesLoad {}
+impl<B: Stretching + CarriesLoad> CarriesLoad for InPlane<B> {}
 
 impl<B, S: Scalar> MemberMotion<S> for InPlane<B>
 where
@@ -52,7 +50,7 @@ where
     }
 
     fn load_work(built: &Self::Built, motion: &MemberEnds<S>) -> Option<[S; 2]> {
-        let along = built.along.load_work(&Stretch::of(motion))?;
+        let along = built.along.load_work(&Stretch::of(motion));
         let [_, across] = both::<B, S>(B::load_work(&built.across, &across::<B, S>(motion))?);
         Some([along, across])
     }

@@ -73,11 +73,33 @@ impl<T: Real> DampedLine<T> {
         Inside { length, wave_number: self.line.section.zeta_of(self.reduced(lambda)) / length }
     }
 
+    /// Displacement and force at both ends, the force over e.
+    fn reduced_ends<S: ComplexFrequency<T> + Oscillation<T>>(&self, motion: &Stretch<S>) -> [[S; 2]; 2] {
+        let factor = self.dissipation.factor_of_motion(motion.x);
+        motion.ends.map(|[displacement, force]| [displacement, force / factor])
+    }
+
     /// Displacement and force at a distance from the input end, the force over e.
     fn reduced_at<S: ComplexFrequency<T> + Oscillation<T>>(&self, motion: &Stretch<S>, distance: T) -> [S; 2] {
+        self.line.section.inside_of(self.reduced(motion.x), &self.reduced_ends(motion), distance)
+    }
+
+    /// The work of a load of 1 per length on a motion.
+    pub(crate) fn load_work<S: ComplexFrequency<T> + Oscillation<T>>(&self, motion: &Stretch<S>) -> S {
+        self.line.section.load_work(self.reduced(motion.x), &self.reduced_ends(motion))
+    }
+
+    /// Displacement and force at a distance from the input end under so many times that load, which acts over e on the line without damping.
+    pub(crate) fn state_under<S: ComplexFrequency<T> + Oscillation<T>>(
+        &self,
+        motion: &Stretch<S>,
+        load: S,
+        distance: T,
+    ) -> [S; 2] {
         let factor = self.dissipation.factor_of_motion(motion.x);
-        let ends = motion.ends.map(|[displacement, force]| [displacement, force / factor]);
-        self.line.section.inside_of(self.reduced(motion.x), &ends, distance)
+        let (density, ends) = (self.reduced(motion.x), self.reduced_ends(motion));
+        let [displacement, force] = self.line.section.at_under(density, &ends, load / factor, distance);
+        [displacement, force * factor]
     }
 
     /// Displacement and force at a distance from the input end.

@@ -63,9 +63,8 @@ impl<T: Real> BendingMotion<T> {
 }
 
 impl<T: Real> LineSection<T> {
-    /// Displacement and axial force of a motion under a load of 1 per length along it, at a distance from the input end.
-    pub(crate) fn under_load<S: Oscillation<T>>(&self, x: S, distance: T) -> [S; 2] {
-        let density = self.density(x);
+    /// Displacement and axial force of a motion under a load of 1 per length along it, at a distance from the input end, given `mλ² + k`.
+    fn under_load<S: Oscillation<T>>(&self, density: S, distance: T) -> [S; 2] {
         if self.zeta_of(density) > 1.0 {
             return [S::one() / density, S::zero()];
         }
@@ -73,18 +72,28 @@ impl<T: Real> LineSection<T> {
         [-series(square, 2, 2) * (distance * distance / self.stiffness), -series(square, 1, 2) * distance]
     }
 
-    /// The work of a load of 1 per length on a motion.
-    pub(crate) fn load_work<S: Oscillation<T>>(&self, motion: &Stretch<S>) -> S {
-        let [input, output] = [T::zero(), self.length].map(|distance| self.under_load(motion.x, distance));
+    /// The work of a load of 1 per length on a motion, given `mλ² + k` and displacement and force at both ends.
+    pub(crate) fn load_work<S: Oscillation<T>>(&self, density: S, ends: &[[S; 2]; 2]) -> S {
+        let [input, output] = [T::zero(), self.length].map(|distance| self.under_load(density, distance));
         let form = |[own, own_force]: [S; 2], [loaded, force]: [S; 2]| own_force * loaded - own * force;
-        form(motion.ends[1], output) - form(motion.ends[0], input)
+        form(ends[1], output) - form(ends[0], input)
     }
 
     /// Displacement and axial force at a distance from the input end under so many times that load.
-    pub(crate) fn at_under<S: Oscillation<T>>(&self, motion: &Stretch<S>, load: S, distance: T) -> [S; 2] {
-        let under = [T::zero(), self.length, distance].map(|distance| self.under_load(motion.x, distance));
+    pub(crate) fn at_under<S: Oscillation<T>>(&self, density: S, ends: &[[S; 2]; 2], load: S, distance: T) -> [S; 2] {
+        let under = [T::zero(), self.length, distance].map(|distance| self.under_load(density, distance));
         let plus = |one: [S; 2], other: [S; 2], factor: S| [one[0] + other[0] * factor, one[1] + other[1] * factor];
-        let ends = [0, 1].map(|end| plus(motion.ends[end], under[end], -load));
-        plus(self.at(&Stretch { x: motion.x, ends }, distance), under[2], load)
+        let rest = [0, 1].map(|end| plus(ends[end], under[end], -load));
+        plus(self.inside_of(density, &rest, distance), under[2], load)
+    }
+
+    /// As [`load_work`](LineSection::load_work), without damping.
+    pub(crate) fn undamped_load_work<S: Oscillation<T>>(&self, motion: &Stretch<S>) -> S {
+        self.load_work(self.density(motion.x), &motion.ends)
+    }
+
+    /// As [`at_under`](LineSection::at_under), without damping.
+    pub(crate) fn undamped_at_under<S: Oscillation<T>>(&self, motion: &Stretch<S>, load: S, distance: T) -> [S; 2] {
+        self.at_under(self.density(motion.x), &motion.ends, load, distance)
     }
 }

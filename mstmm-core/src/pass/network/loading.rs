@@ -32,10 +32,10 @@ impl<S: Scalar> ActingLoad<S> {
         match self {
             ActingLoad::At(load) => (load.node == node).then_some(load.forces),
             ActingLoad::Spread(SpreadLoad { member: Some(_), .. }) => None,
-            ActingLoad::Spread(SpreadLoad { member: None, axis }) => {
+            ActingLoad::Spread(SpreadLoad { member: None, axis, is_inertia }) => {
                 let body = network.node(node).0;
                 let mut lifted = [S::zero(); 6];
-                lifted[*axis] = S::one();
+                lifted[*axis] = if *is_inertia { -S::one() } else { S::one() };
                 body.has_body().then(|| body.momentum(lifted))
             }
         }

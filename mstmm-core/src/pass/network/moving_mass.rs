@@ -110,12 +110,12 @@ fn eliminated<Y: Placed>(network: &Y, axis: usize) -> Y::Parameter {
             (placement, leaf, placement.node_of(1 - leaf))
         })
     };
-    for node in 0..count {
+    for (node, inertia) in inertias.iter_mut().enumerate().take(count) {
         let (body, motions) = network.node(node);
         if body.has_body() {
             let masses = motions.masses::<Y::Parameter>(body);
             let diagonal = core::array::from_fn(|motion| masses[motion][motion]);
-            inertias[node] = Inertia { masses, diagonal, momentum: motions.parts_of(body.momentum(along)) };
+            *inertia = Inertia { masses, diagonal, momentum: motions.parts_of(body.momentum(along)) };
         }
         if let Some((.., root)) = above(node) {
             waiting[root] += 1;

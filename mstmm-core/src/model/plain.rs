@@ -1,0 +1,21 @@
+//! What labels, loads and entries are beside their model: plain values, which are copied and printed.
+
+/// Copies and prints a value whatever the model is.
+macro_rules! plain {
+    ($name:ident<$($life:lifetime,)? M $(, $other:ident $(: $bound:ident)?)?>, $($field:ident),*) => {
+        impl<$($life,)? M $(, $other $(: $bound)?)?> Clone for $name<$($life,)? M $(, $other)?> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<$($life,)? M $(, $other $(: $bound)?)?> Copy for $name<$($life,)? M $(, $other)?> {}
+
+        impl<$($life,)? M $(, $other $(: $bound)?)?> core::fmt::Debug for $name<$($life,)? M $(, $other)?> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.debug_struct(stringify!($name))$(.field(stringify!($field), &self.$field))*.finish()
+            }
+        }
+    };
+}
+pub(crate) use plain;
