@@ -2,6 +2,7 @@
 
 mod base;
 mod damping;
+mod dislocations;
 mod models;
 mod participation;
 mod supports;

@@ -37,6 +37,11 @@ impl<S: Scalar> EndMotion<S> {
         [axial * along, shear * across, bending * moment]
     }
 
+    /// The displacement of an end, 0 or 1, beside its node that works 1 times an internal force: against the force on the member.
+    pub(crate) fn dislocation(end: usize, force: usize) -> f64 {
+        -SIGNS[end][force]
+    }
+
     /// The state of bending, of the input end 0 or of the output end 1.
     pub(crate) fn bending(&self, end: usize) -> State<S> {
         let ([_, y, theta], [_, q, m]) = (self.displacements, self.internal(end));

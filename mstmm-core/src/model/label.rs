@@ -21,7 +21,8 @@ pub struct Point<M> {
     of: PhantomData<fn() -> M>,
 }
 
-/// A harmonic load of 1: a force or a moment at a point, a load all along an element, or the weight of all that moves in Y.
+/// A harmonic load of 1: a force or a moment at a point, a dislocation there, a load all along an element, the weight of all that moves in Y, or an acceleration
+/// of the ground.
 pub struct Load<M> {
     pub(crate) acting: Acting,
     of: PhantomData<fn() -> M>,
@@ -30,7 +31,7 @@ pub struct Load<M> {
 /// Where a load acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Acting {
-    /// Behind a step, as a jump of Q or M.
+    /// Behind a step, as a jump of an entry.
     At(usize, Coordinate),
     /// Along elements.
     Spread(Spread),
@@ -112,6 +113,11 @@ impl<M> Point<M> {
 impl<M> Load<M> {
     const fn new(acting: Acting) -> Self {
         Load { acting, of: PhantomData }
+    }
+
+    /// A jump of an entry at a point.
+    pub(crate) const fn at(point: Point<M>, coordinate: Coordinate) -> Self {
+        Load::new(Acting::At(point.step, coordinate))
     }
 
     /// A load of 1 per length along the element of a step.

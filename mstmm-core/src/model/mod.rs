@@ -3,6 +3,7 @@
 pub(crate) mod asked;
 pub(crate) mod chain_rule;
 pub(crate) mod direction;
+pub(crate) mod dislocation;
 pub(crate) mod end_motion;
 pub(crate) mod ends;
 pub(crate) mod error;

@@ -59,6 +59,8 @@ pub(crate) enum PlaneActing {
     Force(Site, usize),
     /// A motion of the support of a point.
     Motion(Site, usize),
+    /// A dislocation between the end of a member and its point, which works with an internal force.
+    Dislocation(Handle, usize, usize),
     /// A load along members.
     Spread(SpreadLoad),
 }
@@ -241,6 +243,11 @@ impl<M> PlanePoint<M> {
 }
 
 impl<M> MemberEnd<M> {
+    /// A dislocation that works with an internal force of a part of a member.
+    pub(crate) const fn dislocated(self, part: usize, force: usize) -> PlaneLoad<M> {
+        PlaneLoad::new(PlaneActing::Dislocation(self.member, self.end, 3 * part + force))
+    }
+
     /// The end as a point.
     pub(crate) const fn as_point(self) -> PlanePoint<M> {
         self.point()

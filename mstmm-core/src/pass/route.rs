@@ -31,7 +31,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// The point of a load, with the entry that jumps there: Q or M.
+    /// The point of a load, with the entry that jumps there.
     pub(crate) fn of_load<Y: Planned + ?Sized>(
         system: &Y,
         (step, coordinate): (usize, Coordinate),
@@ -193,8 +193,9 @@ impl<'a, Y: Planned + ?Sized> Route<'a, Y> {
         let (entry, exponent) = covector.pick_entry(subspace, coordinate);
         // seen from downstream slope and shear force have the other sign
         let is_reversed = self.course == Course::Downstream && matches!(coordinate, Coordinate::Theta | Coordinate::Q);
-        // a force acts towards Y, a moment towards Θ: Q grows by the one and M falls by the other
-        let unit = if is_reversed == (self.load.coordinate == Coordinate::M) { S::one() } else { -S::one() };
+        // a force acts towards Y, a moment towards Θ: Q grows by the one and M falls by the other; a jump of -Y works with Q, one of Θ with M
+        let falls = matches!(self.load.coordinate, Coordinate::M | Coordinate::Y);
+        let unit = if is_reversed == falls { S::one() } else { -S::one() };
         let value = Scaled::new(entry, i64::from(exponent)).product(Scaled::new(unit, 0).over(delta)).value();
         if value.size().is_finite() { Ok(value) } else { Err(MotionError::NotFinite { frequency: x.modulus() }) }
     }

@@ -110,6 +110,10 @@ where
         self.system.frequency_estimates().lowest_exponent()
     }
 
+    fn is_motion(&self) -> bool {
+        matches!(self.load.acting, Acting::At(_, jump) if !jump.is_force())
+    }
+
     fn goes_along(&self) -> Option<T> {
         let is_along = self.entry.coordinate == Coordinate::Y;
         let is_of_ground = matches!(self.load.acting, Acting::Spread(Spread::Inertia(_)));

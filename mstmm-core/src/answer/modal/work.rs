@@ -5,15 +5,14 @@ use crate::model::{Acting, Load, MotionError};
 use crate::number::Single;
 use crate::pass::route::Place;
 use crate::pass::tree::Tree;
-use mstmm_plan::Coordinate;
 
 impl<Y, S> ModeShape<'_, Y, S>
 where
     Y: Tree<S> + ?Sized,
     S: Single,
 {
-    /// The work of a load of 1 on the shape: what excites its mode. Of a force it is the deflection at its point, of a moment the rotation, of the weight the factor
-    /// of participation [kg^½].
+    /// The work of a load of 1 on the shape: what excites its mode. Of a force it is the deflection at its point, of a moment the rotation, of a
+    /// dislocation its internal force, of the weight the factor of participation [kg^½].
     ///
     /// # Errors
     /// [`MotionError::NoSuchEntry`] where nothing there moves with the load, [`MotionError::NoUniformLoad`] for a load along an element that takes none.
@@ -21,9 +20,8 @@ where
         match load.acting {
             Acting::At(step, coordinate) => {
                 let place = Place::of_load(self.system, (step, coordinate))?;
-                // a force does work along the deflection, a moment along the rotation
-                let along = if coordinate == Coordinate::M { Coordinate::Theta } else { Coordinate::Y };
-                Ok(self.at(place.step, place.beyond).entry(along))
+                // a force does work along the deflection, a moment along the rotation, and so back
+                Ok(self.at(place.step, place.beyond).entry(coordinate.dual()))
             }
             Acting::Spread(spread) => Ok(self.work_of(spread)?.value),
         }

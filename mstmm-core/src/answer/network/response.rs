@@ -3,15 +3,17 @@
 use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::spread_load::loads;
-use crate::answer::network::states::{PlaneStates, Seen, check, check_freedom, held_at, internal, located, offset};
+use crate::answer::network::states::{
+    MOMENT_Y, PlaneStates, Seen, check, check_freedom, held_at, internal, located, offset,
+};
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::{Root, is_below_losses};
-use crate::model::{MemberPlane, MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
+use crate::model::{EndMotion, MemberPlane, MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::vector::{ROTATIONS, at_node};
 use crate::pass::network::{
-    ActingLoad, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, Wanted,
+    ActingLoad, JumpAt, LoadAt, Loading, MovingNetwork, NetworkMotion, PerMember, Placed, PlaneFrequency, Wanted,
     load_on_chart, motion_under,
 };
 use crate::search::ClosedRange;
@@ -50,9 +52,9 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         self.system
     }
 
-    /// Whether its load is the motion of a support.
+    /// Whether its load is the motion of a support, or a dislocation.
     pub(crate) fn is_motion(&self) -> bool {
-        matches!(self.load.acting, PlaneActing::Motion(..))
+        matches!(self.load.acting, PlaneActing::Motion(..) | PlaneActing::Dislocation(..))
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with
@@ -143,7 +145,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     {
         match load {
             ActingLoad::Spread(spread) => loads::<Y, S>(self.system, spread),
-            ActingLoad::At(_) => Ok(self.system.per_member([S::zero(); 2])),
+            ActingLoad::At(_) | ActingLoad::Jump(_) => Ok(self.system.per_member([S::zero(); 2])),
         }
     }
 
@@ -303,6 +305,16 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
         PlaneActing::Spread(load) => {
             load.member.map_or(Ok(0), |member| system.member_of(member))?;
             return Ok(ActingLoad::Spread(load));
+        }
+        PlaneActing::Dislocation(member, end, force) => {
+            let (member, freedom) = (internal(system, member, force)?, force % 3);
+            // what a rigid joint ties is one motion of both nodes
+            if system.placement(member).is_tie {
+                return Err(MotionError::NoSuchFreedom { freedom: Freedoms::SINGLE[freedom] });
+            }
+            let by = S::from_f64(EndMotion::<S>::dislocation(end, freedom));
+            let by = if force == MOMENT_Y { -by } else { by };
+            return Ok(ActingLoad::Jump(JumpAt { member, end, freedom, by }));
         }
         PlaneActing::Motion(site, axis) => {
             check_freedom(system, site, axis)?;

@@ -108,7 +108,7 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub(super) fn spread(&self) -> Option<SpreadLoad> {
         match self.load? {
             ActingLoad::Spread(load) => Some(load),
-            ActingLoad::At(_) => None,
+            ActingLoad::At(_) | ActingLoad::Jump(_) => None,
         }
     }
 
@@ -241,7 +241,7 @@ pub(super) fn check<Y: Placed>(system: &Y, entry: PlaneEntry<Y::Model>) -> Resul
 }
 
 /// The place of the moment about y among the internal forces of a member in space.
-const MOMENT_Y: usize = 5;
+pub(super) const MOMENT_Y: usize = 5;
 
 /// The freedoms of a member whose forces are its internal forces, part by part.
 const INTERNAL: [Freedoms; 9] = [

@@ -4,7 +4,7 @@ use crate::answer::network::response::acting_at;
 use crate::answer::network::shape::PlaneShape;
 use crate::model::{MotionError, PlaneLoad};
 use crate::pass::characteristic::System;
-use crate::pass::network::{ActingLoad, LoadAt, MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{ActingLoad, JumpAt, LoadAt, MovingNetwork, Placed, PlaneFrequency};
 
 impl<Y, S> PlaneShape<'_, Y, S>
 where
@@ -12,7 +12,7 @@ where
     S: PlaneFrequency<<Y as System>::Parameter>,
 {
     /// The work of a load of 1 on the shape: what excites its mode. Of a force it is the displacement of its point, of a moment the rotation, of the motion of a
-    /// support its reaction with the other sign, of the weight the factor of participation [kg^½].
+    /// support its reaction with the other sign, of a dislocation its internal force, of the weight the factor of participation [kg^½].
     ///
     /// ```
     /// use mstmm_core::frame::{Frame, Section};
@@ -38,6 +38,9 @@ where
         let mut work = match load {
             ActingLoad::Spread(spread) => self.work_of(spread)?,
             ActingLoad::At(_) => S::zero(),
+            ActingLoad::Jump(JumpAt { member, end, freedom, by }) => {
+                -(by * self.member_ends(member).ends[end].forces[freedom])
+            }
         };
         for node in 0..self.system.sizes()[0] {
             let forces = load.on_node(self.system, node).into_iter().flatten();

@@ -16,10 +16,20 @@ pub(crate) struct LoadAt<S> {
     pub(crate) moved: Option<Six<S>>,
 }
 
+/// A jump between the end of a member and its node: how far the end is from it in a freedom of the member.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct JumpAt<S> {
+    pub(crate) member: usize,
+    pub(crate) end: usize,
+    pub(crate) freedom: usize,
+    pub(crate) by: S,
+}
+
 /// A load of a response.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ActingLoad<S> {
     At(LoadAt<S>),
+    Jump(JumpAt<S>),
     Spread(SpreadLoad),
 }
 
@@ -31,7 +41,7 @@ impl<S: Scalar> ActingLoad<S> {
     {
         match self {
             ActingLoad::At(load) => (load.node == node).then_some(load.forces),
-            ActingLoad::Spread(SpreadLoad { member: Some(_), .. }) => None,
+            ActingLoad::Jump(_) | ActingLoad::Spread(SpreadLoad { member: Some(_), .. }) => None,
             ActingLoad::Spread(SpreadLoad { member: None, axis, is_inertia }) => {
                 let body = network.node(node).0;
                 let mut lifted = [S::zero(); 6];
@@ -133,6 +143,11 @@ impl<S: Scalar> Loading<'_, S> {
             }
             Loading::Acting(ActingLoad::At(LoadAt { moved: Some(_), .. }), _) => {
                 Some(MemberLoad { along: zero, moved: chart.moved(&self.of_ends(placement)) })
+            }
+            Loading::Acting(ActingLoad::Jump(jump), _) if jump.member == member => {
+                let mut ends = [[S::zero(); 3]; 2];
+                ends[jump.end][jump.freedom] = jump.by;
+                Some(MemberLoad { along: zero, moved: chart.moved(&ends) })
             }
             Loading::Acting(..) | Loading::Everywhere(_) | Loading::Nothing => None,
         }

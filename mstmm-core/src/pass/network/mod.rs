@@ -41,7 +41,7 @@ pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSuppor
 pub use error::NetworkError;
 pub use evaluate::network_pass;
 pub use frequency::{MovingNetwork, PlaneFrequency};
-pub(crate) use loading::{ActingLoad, LoadAt, Loading};
+pub(crate) use loading::{ActingLoad, JumpAt, LoadAt, Loading};
 pub use member::{End, Member};
 #[cfg(feature = "std")]
 pub use memory::Vectors;
