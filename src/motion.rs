@@ -8,7 +8,8 @@ pub use mstmm_core::{
     DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace,
     Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit,
     ParticipationFactor, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned,
-    Point, Root, Sample, ShapeList, Skew, SpacePoint, State, SystemStates, Tree, WhirlAnalysis, mac,
+    Point, Root, Sample, ShapeList, Skew, SpacePoint, State, SystemStates, Tree, Truncation, TruncationError,
+    Variation, WhirlAnalysis, mac,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.

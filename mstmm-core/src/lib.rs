@@ -37,6 +37,7 @@ pub use answer::modal::exact::ExactResponse;
 pub use answer::modal::history::{EntryMotion, ForceHistory};
 pub use answer::modal::participation::{Participation, ParticipationFactor};
 pub use answer::modal::response::ModalResponse;
+pub use answer::modal::truncation::{Truncation, Variation};
 pub use answer::mode_shape::{ModeShape, ShapeList};
 pub use answer::network::geometry::geometry_slopes;
 pub use answer::network::inside::MemberState;
@@ -89,6 +90,7 @@ pub use model::search_error::{SearchError, Spot};
 pub use model::space_point::{InSpace, SpacePoint};
 pub use model::speed_error::SpeedError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
+pub use model::truncation_error::TruncationError;
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,
 };

@@ -130,7 +130,7 @@ fn an_acceleration_of_the_ground_is_that_of_the_only_support() {
     }
     let forced = sum(tip.force_x());
     assert_eq!(forced.from_acceleration().unwrap_err(), MotionError::NoSupportMotion);
-    assert_eq!(sum(foot.motion_x()).rate().unwrap_err(), MotionError::SupportMotion);
+    assert_eq!(sum(foot.motion_x()).acceleration().unwrap_err(), MotionError::AtOnce);
 }
 
 /// One mass on a spring and a dashpot to a foot that shakes: `(1 + 2iζx)/(1 - x² + 2iζx)` in space, and the acceleration by the square of λ.
@@ -200,4 +200,108 @@ fn slow_accelerations_are_weights() {
     assert_eq!(exact(Load::base_acceleration(Direction::y())), -exact(Load::self_weight()));
     let along = cantilever.frequency_response(Load::base_acceleration(Direction::x()), tip).unwrap();
     assert_eq!(along.at(12.0), Err(MotionError::NoSuchFreedom { freedom: Freedoms::X }));
+}
+
+/// A dashpot that is not on the foot that moves: closed form `k/(mλ² + cλ + k)`, by the motion of the foot and by its acceleration.
+#[test]
+fn a_dashpot_beside_the_foot_that_moves() {
+    let (k, c, m) = (900.0, 30.0, 4.0);
+    let mut frame = Frame::new();
+    let [foot, mass, other] = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|place| frame.point(place));
+    frame.hold(foot, Support::Fixed);
+    frame.hold(other, Support::Fixed);
+    frame.member(foot.along([1.0, 0.0]), mass.along([1.0, 0.0]), Spring { stiffness: k });
+    frame.member(mass.along([1.0, 0.0]), other.along([1.0, 0.0]), Damper { damping: c });
+    frame.mass(mass, m);
+    frame.hold(mass, Freedoms::Y);
+    let system = frame.build_damped().unwrap();
+    let eigenvalues = system.first_eigenvalues::<1>().unwrap();
+    let motion = system.modal_response::<4, _>(&eigenvalues, foot.motion_x(), mass.displacement_x()).unwrap();
+    let by_acceleration = motion.from_acceleration().unwrap();
+    for omega in [0.5, 15.0, 40.0] {
+        let lambda = C::new(0.0, omega);
+        let expected = k / (m * lambda * lambda + c * lambda + k);
+        assert_close(motion.at(lambda).unwrap(), expected, 1e-13);
+        assert_close(by_acceleration.at(lambda).unwrap() * lambda * lambda, expected, 1e-12);
+        assert_close(motion.rate().unwrap().at(lambda).unwrap(), lambda * expected, 1e-13);
+    }
+    // long after a pulse the foot has a speed, behind which the mass stays by that of the dashpot over the spring
+    let mut history = by_acceleration.history(0.05).unwrap();
+    let mut last = 0.0;
+    for step in 0..=400 {
+        last = history.next(if step <= 20 { 1.0 - (f64::from(step) - 10.0).abs() / 10.0 } else { 0.0 });
+    }
+    let (speed, gone) = (0.5, 0.5 * (20.0 - 0.5));
+    assert!((last - (gone - c / k * speed)).abs() < 1e-12, "{last}");
+}
+
+/// A point without mass between a spring and a dashpot: its velocity follows a force at once, and its acceleration the rate of the force.
+#[test]
+fn a_point_without_mass_on_a_dashpot() {
+    let (k, c) = (50.0, 4.0);
+    let mut frame = Frame::new();
+    let [foot, point, mass] = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|place| frame.point(place));
+    frame.hold(foot, Support::Fixed);
+    let along = |point: mstmm::frame::Point<mstmm::frame::Plane>| point.along([1.0, 0.0]);
+    frame.member(along(foot), along(point), Spring { stiffness: k });
+    frame.member(along(point), along(mass), Damper { damping: c });
+    frame.member(along(mass), along(foot), Spring { stiffness: 2.0 * k });
+    frame.mass(mass, 1.5);
+    for point in [point, mass] {
+        frame.hold(point, Freedoms::Y);
+    }
+    let system = frame.build_damped().unwrap();
+    let eigenvalues = system.first_eigenvalues::<2>().unwrap();
+    let response = system.modal_response::<4, _>(&eigenvalues, point.force_x(), point.displacement_x()).unwrap();
+    let (rate, acceleration) = (response.rate().unwrap(), response.acceleration().unwrap());
+    for omega in [0.3, 2.0, 20.0] {
+        let lambda = C::new(0.0, omega);
+        let drag = c * lambda;
+        let below = 1.5 * lambda * lambda + 2.0 * k + drag;
+        let expected = below / ((k + drag) * below - drag * drag);
+        assert_close(response.at(lambda).unwrap(), expected, 1e-12);
+        assert_close(rate.at(lambda).unwrap(), lambda * expected, 1e-12);
+        assert_close(acceleration.at(lambda).unwrap(), lambda * lambda * expected, 1e-11);
+    }
+    let (mut whole, mut of_rate, mut of_acceleration) =
+        (response.history(0.03).unwrap(), rate.history(0.03).unwrap(), acceleration.history(0.03).unwrap());
+    for sample in [0.0, 1.0, 3.0, -2.0, 0.0, 0.5] {
+        let motion = whole.next_motion(sample);
+        assert!((motion.rate - of_rate.next(sample)).abs() < 1e-13);
+        assert!((motion.acceleration - of_acceleration.next(sample)).abs() < 1e-11);
+    }
+    // the rate of a mass that a dashpot alone holds: 1/c under a constant force
+    let mut frame = Frame::new();
+    let [foot, mass] = [[0.0, 0.0], [1.0, 0.0]].map(|place| frame.point(place));
+    frame.hold(foot, Support::Fixed);
+    frame.member(along(foot), along(mass), Damper { damping: c });
+    frame.mass(mass, 3.0);
+    frame.hold(mass, Freedoms::Y);
+    let dragged = frame.build_damped().unwrap();
+    let eigenvalues = dragged.first_eigenvalues::<2>().unwrap();
+    let response = dragged.modal_response::<4, _>(&eigenvalues, mass.force_x(), mass.displacement_x()).unwrap();
+    let rate = response.rate().unwrap();
+    assert_close(rate.static_value().unwrap(), 1.0 / c, 1e-12);
+    assert_close(rate.at(C::new(0.0, 0.7)).unwrap(), 1.0 / C::new(c, 3.0 * 0.7), 1e-12);
+}
+
+#[test]
+fn damping_comes_before_rates() {
+    let cantilever = Cantilever {}.build().unwrap();
+    let roots = cantilever.first_frequencies::<3>().unwrap();
+    let tip = Cantilever::conn_tip;
+    let response = cantilever.modal_response::<4, _>(&roots, tip.force(), tip.deflection()).unwrap();
+    let damping = mstmm::search::ProportionalDamping::new(0.3, 1e-3, 0.0).unwrap();
+    for derived in [response.rate().unwrap(), response.acceleration().unwrap()] {
+        assert_eq!(derived.with_damping_ratio(0.1).unwrap_err(), MotionError::Derived);
+        assert_eq!(derived.with_damping(&damping).unwrap_err(), MotionError::Derived);
+    }
+    let slipped =
+        cantilever.modal_response::<4, _>(&roots, Cantilever::beam_1.input().slip(), tip.deflection()).unwrap();
+    assert_eq!(slipped.from_acceleration().unwrap().with_damping(&damping).unwrap_err(), MotionError::Derived);
+    // in this order it is the derivative of the damped response
+    let damped = response.with_damping(&damping).unwrap();
+    let lambda = C::new(0.0, 30.0);
+    let late = damped.rate().unwrap().at(lambda).unwrap() - lambda * damped.at(lambda).unwrap();
+    assert!(late.norm() < 1e-3 * damped.at(lambda).unwrap().norm() * 30.0, "{late}");
 }

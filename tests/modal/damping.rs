@@ -180,7 +180,7 @@ fn one_mass_with_damping_in_proportion() {
     }
     // critical, and without room for two terms
     let critical = ProportionalDamping::new(2.0 * (k / m).sqrt(), 0.0, 0.0).unwrap();
-    assert_eq!(response.with_damping(&critical).err(), Some(MotionError::DampingRatio { ratio: 1.0 }));
+    assert_eq!(response.with_damping(&critical).err(), Some(MotionError::Critical { frequency: 5.0 }));
     let full = oscillator.modal_response::<1, _>(&roots, point.force(), point.deflection()).unwrap();
     let creeping = ProportionalDamping::new(30.0, 0.0, 0.0).unwrap();
     assert_eq!(full.with_damping(&creeping).err(), Some(MotionError::Capacity { capacity: 1 }));
@@ -237,4 +237,73 @@ fn what_is_not_in_the_list_is_late() {
     let time = 0.01 * f64::from(steps);
     let expected = (at * C::new(0.0, omega * time).exp()).re;
     assert!((last - expected).abs() < 1e-4 * at.norm(), "{last} {expected}");
+}
+
+system! {
+    /// A beam between clamps, of a damped material, with a mass.
+    struct DampedSpan { time: f64, eta: f64 }
+    fixed -> beam 1 { length: 1.1, bending_stiffness: 30.0, mass_per_length: 1.7, kelvin_voigt_time: time, loss_factor: eta } -> point_mass 2 { mass: 0.4 }
+        -> conn a -> beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.7, kelvin_voigt_time: time, loss_factor: eta } -> fixed;
+}
+
+system! {
+    struct Span {}
+    fixed -> beam 1 { length: 1.1, bending_stiffness: 30.0, mass_per_length: 1.7 } -> point_mass 2 { mass: 0.4 }
+        -> conn a -> beam 3 { length: 0.7, bending_stiffness: 30.0, mass_per_length: 1.7 } -> fixed;
+}
+
+/// Forces are those of the stiffness and of its damping, as elements of a damped material have them.
+#[test]
+fn forces_of_damping_are_those_of_damped_elements() {
+    let (time, eta) = (2e-3, 0.03);
+    let span = Span {}.build().unwrap();
+    let damped = |eta| DampedSpan { time, eta }.build().unwrap();
+    let loads = [Span::conn_a.force(), Span::beam_1.input().slip(), Load::self_weight()];
+    let same = [DampedSpan::conn_a.force(), DampedSpan::beam_1.input().slip(), Load::self_weight()];
+    let entries = [Span::beam_3.output().moment(), Span::conn_a.shear(), Span::conn_a.deflection()];
+    let twins = [DampedSpan::beam_3.output().moment(), DampedSpan::conn_a.shear(), DampedSpan::conn_a.deflection()];
+    let roots = span.first_frequencies::<8>().unwrap();
+    for (load, same) in loads.into_iter().zip(same) {
+        for (entry, twin) in entries.into_iter().zip(twins) {
+            let exact = span.frequency_response(load, entry).unwrap();
+            for eta in [0.0, eta] {
+                let damping = ProportionalDamping::new(0.0, time, eta).unwrap();
+                for omega in [3.0, 21.0, 300.0] {
+                    let lambda = C::new(0.0, omega);
+                    let expected = damped(eta).frequency_response(same, twin).unwrap().at(lambda).unwrap();
+                    assert_close(damping.response(&exact, lambda).unwrap(), expected, 1e-11);
+                }
+            }
+            // the sum over modes has it, too, as far as its list goes
+            let damping = ProportionalDamping::new(0.4, time, 0.0).unwrap();
+            let plain = span.modal_response::<8, _>(&roots, load, entry).unwrap();
+            let sum = plain.with_damping(&damping).unwrap();
+            for omega in [0.0, 3.0, 21.0, 60.0] {
+                let lambda = C::new(0.0, omega);
+                let expected = damping.response(&exact, lambda).unwrap();
+                // what the list leaves out without damping, far from resonances
+                let left_out = (plain.at(omega).unwrap() - exact.at(omega).unwrap()).abs();
+                let error = (sum.at(lambda).unwrap() - expected).norm();
+                assert!(error <= 1.5 * left_out + 1e-3 * expected.norm(), "{omega}: {error} {left_out} {expected}");
+            }
+        }
+    }
+    // what is damped already, and what bears an axial force
+    let damping = ProportionalDamping::new(0.3, 1e-3, 0.0).unwrap();
+    let twice = damped(0.0);
+    let exact = twice.frequency_response(same[0], twins[2]).unwrap();
+    assert_eq!(damping.response(&exact, C::new(0.0, 3.0)), Err(MotionError::Damped));
+    let strut = Strut { force: -5.0 }.build().unwrap();
+    let (load, entry) = (Strut::beam_1.output().force(), Strut::beam_1.output().deflection());
+    let roots = strut.first_frequencies::<3>().unwrap();
+    let sum = strut.modal_response::<4, _>(&roots, load, entry).unwrap();
+    assert_eq!(sum.with_damping(&damping).unwrap_err(), MotionError::AxialForce);
+    let of_masses = ProportionalDamping::new(0.3, 0.0, 0.0).unwrap();
+    let exact = strut.frequency_response(load, entry).unwrap();
+    let lambda = C::new(0.0, 3.0);
+    assert_close(
+        of_masses.response(&exact, lambda).unwrap(),
+        sum.with_damping(&of_masses).unwrap().at(lambda).unwrap(),
+        1e-4,
+    );
 }

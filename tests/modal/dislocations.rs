@@ -5,7 +5,7 @@ use crate::models::{Cantilever, Portal, assert_close};
 use mstmm::Complex;
 use mstmm::elements::{Spring, TorsionSpring};
 use mstmm::frame::{Frame, Section};
-use mstmm::motion::MotionError;
+use mstmm::motion::{MotionError, PlaneEntry};
 use mstmm::network::Support;
 use mstmm::prelude::*;
 
@@ -137,13 +137,12 @@ fn dislocations_of_frames_are_reciprocal_and_work_internal_forces() {
     }
 }
 
+/// A load and the entry that it works with.
+type Pair<M> = (PlaneLoad<M>, PlaneEntry<M>);
+
 #[track_caller]
-fn assert_reciprocal<Y>(
-    system: &Y,
-    pairs: &[(PlaneLoad<Y::Model>, mstmm::motion::PlaneEntry<Y::Model>)],
-    at: &[C],
-    tolerance: f64,
-) where
+fn assert_reciprocal<Y>(system: &Y, pairs: &[Pair<Y::Model>], at: &[C], tolerance: f64)
+where
     Y: FrameAnalysis<Parameter = f64> + mstmm::motion::MovingNetwork<C>,
 {
     for lambda in at {

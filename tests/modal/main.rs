@@ -6,4 +6,5 @@ mod dislocations;
 mod models;
 mod participation;
 mod supports;
+mod truncation;
 mod work;

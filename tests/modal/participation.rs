@@ -270,3 +270,63 @@ fn all_modes_of_a_body_in_space_have_the_mass_that_nothing_holds() {
         }
     }
 }
+
+/// A joint elsewhere is no reason to refuse; a mass on a spring of a line moves as the line does; what rounding hides is no zero.
+#[test]
+fn only_bodies_that_are_held_in_part_are_refused() {
+    let mut frame = Frame::new();
+    let [a, b, behind, c] = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|place| frame.point(place));
+    let steel = Section::new().axial_stiffness(1e4).bending_stiffness(1e3).mass_per_length(20.0);
+    frame.hold(a, Support::Fixed);
+    frame.hold(b, Freedoms::Y);
+    frame.member(a, b, steel);
+    frame.member(b, behind, Pin);
+    frame.member(behind, c, steel);
+    frame.mass(c, 3.0);
+    assert_close(frame.build().unwrap().moving_mass(Direction::y()).unwrap(), 43.0, 1e-15);
+
+    let mut line = Frame::new();
+    let [foot, tip_of_line] = [0.0, 2.0].map(|place| line.point(place));
+    line.hold(foot, Support::Fixed);
+    line.member(foot, tip_of_line, Section::new().bending_stiffness(50.0).mass_per_length(1.5));
+    line.mass(tip_of_line, 0.5);
+    let absorber = line.path_point();
+    line.member(tip_of_line, absorber, Spring { stiffness: 3.0 });
+    line.mass(absorber, 0.25);
+    let damped = line.build().unwrap();
+    assert_close(damped.moving_mass(Direction::y()).unwrap(), 3.75, 1e-15);
+    let roots = damped.frequencies(30).unwrap();
+    let participation = damped.participation::<30, _>(&roots, Direction::y()).unwrap();
+    assert!(participation.missing() > 0.0 && participation.missing() < 0.05);
+    // that of the same model in the plane, whose path leads along y
+    let mut plane = Frame::new();
+    let [foot, tip, mass] = [[0.0, 0.0], [2.0, 0.0], [2.0, 0.0]].map(|place| plane.point(place));
+    plane.hold(foot, Support::Fixed);
+    plane.member(foot, tip, Section::new().axial_stiffness(1e6).bending_stiffness(50.0).mass_per_length(1.5));
+    plane.mass(tip, 0.5);
+    plane.member(tip.along([0.0, 1.0]), mass.along([0.0, 1.0]), Spring { stiffness: 3.0 });
+    plane.mass(mass, 0.25);
+    plane.hold(mass, Freedoms::X);
+    let twin = plane.build().unwrap();
+    for omega in [0.0, 1.0, 7.0] {
+        let one = damped
+            .frequency_response(PlaneLoad::self_weight_y(), tip_of_line.displacement_y())
+            .unwrap()
+            .at(omega)
+            .unwrap();
+        let other =
+            twin.frequency_response(PlaneLoad::self_weight_y(), tip.displacement_y()).unwrap().at(omega).unwrap();
+        assert_close(one, other, 1e-12);
+    }
+
+    let mut frame = Frame::new();
+    let at = frame.point([0.0, 0.0]);
+    frame.body([at], RigidBody { mass: 3.0, inertia: 0.0, centre: [0.6, 1e-8] });
+    frame.hold(at, Freedoms::X);
+    let ground = frame.point([0.0, 1.0]);
+    frame.hold(ground, Support::Fixed);
+    frame.member(at, ground, TorsionSpring { stiffness: 4.0 });
+    frame.member(at.along([0.0, 1.0]), ground.along([0.0, 1.0]), Spring { stiffness: 4.0 });
+    let refused = frame.build().unwrap().moving_mass(Direction::x());
+    assert!(matches!(refused, Err(MotionError::HeldMass { .. })), "{refused:?}");
+}

@@ -45,6 +45,16 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         self.route.system
     }
 
+    /// Whether the load is a dislocation.
+    pub(crate) fn is_motion(&self) -> bool {
+        self.spread.is_none() && !self.route.load.coordinate.is_force()
+    }
+
+    /// Whether the entry is a force or a moment.
+    pub(crate) fn is_force(&self) -> bool {
+        self.route.entry.coordinate.is_force()
+    }
+
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.
     ///
     /// It is computed in extended precision, where the numbers of the model have one.

@@ -5,18 +5,20 @@ use crate::answer::modal::moving_mass::moving_mass;
 use crate::answer::modal::of_tree::{OfTree, WorkOnTree};
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
+use crate::answer::modal::truncation::{Truncation, check_list};
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::{Sensitivities, sensitivities};
 use crate::answer::tree_sketch::TreeSketch;
 use crate::element::ListElement;
-use crate::model::{Chain, Direction, Entry, Load, MotionError};
+use crate::model::{Chain, Direction, Entry, Load, MotionError, TruncationError};
 use crate::number::{Frequency, Oscillation};
 use crate::pass::characteristic::System;
 use crate::pass::drawn_tree::DrawnTree;
 use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
+use crate::search::{NaturalFrequencies, Undamped};
 use mstmm_plan::Freedoms;
 
 /// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
@@ -168,6 +170,30 @@ pub trait ModalAnalysis: System {
         const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
         let total = self.moving_mass(direction)?;
         Participation::new(&WorkOnTree { system: self, load: Load::self_weight() }, total, roots)
+    }
+
+    /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.
+    ///
+    /// # Errors
+    /// [`TruncationError::Missing`] where a count proves that these are not all modes below the reach; [`TruncationError::Spread`] for a load along elements, or a weight; else as
+    /// [`count_below`](NaturalFrequencies::count_below) and [`modal_response`](ModalAnalysis::modal_response).
+    fn truncation<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R> + Clone,
+        load: Load<<Self as Planned>::Model>,
+        entry: Entry<<Self as Planned>::Model>,
+        reach: <Self as System>::Parameter,
+    ) -> Result<Truncation<<Self as System>::Parameter>, TruncationError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
+        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter>,
+        Self: ExtendedTree<<Self as System>::Parameter> + Undamped + Sized,
+    {
+        check_list(self.count_below(reach)?, roots.clone())?;
+        let own = load.dual().ok_or(TruncationError::Spread)?;
+        let load = OfTree::new(self, load, own)?.side::<N, R>(roots.clone(), reach)?;
+        let entry = OfTree::new(self, entry.dual(), entry)?.side::<N, R>(roots, reach)?;
+        Ok(Truncation::new(reach, load, entry))
     }
 
     /// The mass that modes can move along y \[kg\]: that of all members whose deflection is y, and of each body what no support holds. It is what effective

@@ -166,7 +166,10 @@ impl<'f, D: Dimension> Assembly<'f, D> {
     fn add_paths(&mut self) {
         for (path, motion) in motions(self.frame).into_iter().enumerate() {
             let name = called("path point", path, self.frame.paths[path].name.as_ref());
-            let held = Freedoms::SPACE.without(motion.unwrap_or(Freedoms::NONE));
+            // on a line that along a path is that of its points
+            let along =
+                motion.map(|motion| if motion.is(Freedoms::X) && D::ACROSS.is_some() { Freedoms::Y } else { motion });
+            let held = Freedoms::SPACE.without(along.unwrap_or(Freedoms::NONE));
             if motion.is_none() {
                 self.fail(name.clone(), Mistake::Motions);
             }
@@ -306,10 +309,10 @@ impl<'f, D: Dimension> Assembly<'f, D> {
             }
             Seat::Ground => at_node(self.ground()),
         };
-        // the motion of a path is that along x, or about z, of its node
+        // the motion of a path is that along x, on a line along y, or about z, of its node
         let of_path = match end.seat {
             Seat::Point(_) => None,
-            _ if is_along => Some([1.0, 0.0, 0.0]),
+            _ if is_along => Some(D::ACROSS.unwrap_or([1.0, 0.0, 0.0])),
             _ => turns_about.then_some([0.0, 0.0, 1.0]),
         };
         Ok(SpatialEnd { along: of_path.or(along), ..own })

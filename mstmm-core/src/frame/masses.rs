@@ -31,7 +31,7 @@ impl<D: Dimension> Assembly<'_, D> {
                 let brought = if on.turns { Freedoms::ROTATIONS } else { Freedoms::DISPLACEMENTS };
                 self.bring(point, if arm { brought.union(Freedoms::ROTATIONS) } else { brought });
                 let (node, place) = (self.points[point].node, on.place.map_or(self.place(point), D::in_space));
-                let Some(direction) = on.along.or(D::ACROSS) else {
+                let Some(direction) = on.along else {
                     self.nodes[node] = self.nodes[node].and_body(mass, [0.0; 6], place);
                     return;
                 };

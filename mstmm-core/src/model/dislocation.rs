@@ -3,7 +3,7 @@
 //! At rest a dislocation has the influence line of its force as its motion; at a held end it is the motion of the support. On a mode it works the internal force.
 
 use crate::model::label::{Load, Point};
-use crate::model::plane_label::{MemberEnd, PlaneLoad};
+use crate::model::plane_label::{MemberEnd, PlaneActing, PlaneEntry, PlaneLoad, Quantity};
 use crate::model::space_point::InSpace;
 use mstmm_plan::Coordinate;
 
@@ -52,5 +52,38 @@ impl<M: InSpace> MemberEnd<M> {
     /// A jump of 1 rad about the axis of the member, which works with the [`torque`](MemberEnd::torque).
     pub const fn twist(self) -> PlaneLoad<M> {
         self.dislocated(2, 2)
+    }
+}
+
+impl<M> PlaneLoad<M> {
+    /// The entry that the load works with; none of a load along members and of the motion of a support.
+    pub(crate) const fn dual(self) -> Option<PlaneEntry<M>> {
+        match self.acting {
+            PlaneActing::Force(site, axis) => Some(PlaneEntry::of(Quantity::Displacement(site, axis))),
+            PlaneActing::Dislocation(member, end, force) => {
+                Some(PlaneEntry::of(Quantity::Internal { member, end, force }))
+            }
+            PlaneActing::Motion(..) | PlaneActing::Spread(_) => None,
+        }
+    }
+}
+
+impl<M> PlaneLoad<M> {
+    /// Whether it acts along members.
+    pub(crate) const fn is_spread(self) -> bool {
+        matches!(self.acting, PlaneActing::Spread(_))
+    }
+}
+
+impl<M> PlaneEntry<M> {
+    /// The load that works with the entry; none of a reaction, which works with the motion of a support.
+    pub(crate) const fn dual(self) -> Option<PlaneLoad<M>> {
+        match self.quantity {
+            Quantity::Displacement(site, axis) => Some(PlaneLoad::new(PlaneActing::Force(site, axis))),
+            Quantity::Internal { member, end, force } => {
+                Some(PlaneLoad::new(PlaneActing::Dislocation(member, end, force)))
+            }
+            Quantity::Reaction(..) => None,
+        }
     }
 }

@@ -48,6 +48,26 @@ pub(crate) enum Spread {
     Inertia(usize),
 }
 
+impl<M> Load<M> {
+    /// The entry that the load works with; none of a load along elements.
+    pub(crate) const fn dual(self) -> Option<Entry<M>> {
+        match self.acting {
+            Acting::At(step, coordinate) => {
+                let point = Point { step, beyond: false, of: PhantomData };
+                Some(Entry { point, coordinate: coordinate.dual() })
+            }
+            Acting::Spread(_) => None,
+        }
+    }
+}
+
+impl<M> Entry<M> {
+    /// The load that works with the entry.
+    pub(crate) const fn dual(self) -> Load<M> {
+        Load::at(self.point, self.coordinate.dual())
+    }
+}
+
 /// An entry of the state at a point.
 pub struct Entry<M> {
     pub(crate) point: Point<M>,

@@ -21,6 +21,7 @@ pub(crate) mod space_point;
 pub(crate) mod speed_error;
 pub(crate) mod state;
 pub(crate) mod tensor;
+pub(crate) mod truncation_error;
 pub(crate) mod turns;
 
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
@@ -45,3 +46,4 @@ pub(crate) use space_point::{InSpace, SpacePoint};
 pub(crate) use speed_error::SpeedError;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub(crate) use tensor::{Tensor, definite, least_moment};
+pub(crate) use truncation_error::TruncationError;

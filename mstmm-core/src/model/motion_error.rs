@@ -135,8 +135,17 @@ pub enum MotionError {
     },
     /// Damping in proportion to the stiffness of a system in which a member bears an axial force: a stiffness that nothing damps.
     AxialForce,
-    /// A rate under the motion of a support, with which a part of the entry moves at once.
-    SupportMotion,
+    /// A mode that is critically damped: its motion is no sum of exponentials.
+    Critical {
+        /// Its natural frequency [rad/s].
+        frequency: f64,
+    },
+    /// Damping of a rate, or of a response to an acceleration: damping comes first.
+    Derived,
+    /// Damping in proportion of a system in which something is damped already.
+    Damped,
+    /// A rate of an entry of which a part follows the load, or its rate, at once.
+    AtOnce,
     /// An acceleration of a support where the load is no motion of one.
     NoSupportMotion,
     /// A motion of the ground where the load is no acceleration of it.
@@ -289,10 +298,28 @@ impl MotionError {
                     "a member bears an axial force, a stiffness that nothing damps: damping in proportion would damp it"
                 )
             }
-            MotionError::SupportMotion => {
+            MotionError::Critical { frequency } => {
                 write!(
                     f,
-                    "a part of the entry moves with the support at once: take the acceleration of the support as the load, by `from_acceleration`"
+                    "the mode at {frequency} rad/s is critically damped to rounding: damp it by another 1e-8 of that"
+                )
+            }
+            MotionError::Derived => {
+                write!(
+                    f,
+                    "damp the response first, and then ask for its rate, its acceleration or its response to an acceleration"
+                )
+            }
+            MotionError::Damped => {
+                write!(
+                    f,
+                    "something in the system is damped already: damping in proportion is that of an undamped system"
+                )
+            }
+            MotionError::AtOnce => {
+                write!(
+                    f,
+                    "a part of the entry follows the load at once, and its rate is no sum over modes: under a motion take `from_acceleration`"
                 )
             }
             MotionError::NoSupportMotion => {

@@ -163,7 +163,7 @@ impl<M> MemberEnd<M> {
     }
 
     const fn internal(self, force: usize) -> PlaneEntry<M> {
-        PlaneEntry { quantity: Quantity::Internal { member: self.member, end: self.end, force }, of: PhantomData }
+        PlaneEntry::of(Quantity::Internal { member: self.member, end: self.end, force })
     }
 
     /// The axial force \[N\], tension positive.
@@ -188,17 +188,17 @@ macro_rules! in_global_axes {
         impl<M> $type<M> {
             /// The displacement along x \[m\].
             pub const fn displacement_x($self) -> PlaneEntry<M> {
-                PlaneEntry { quantity: Quantity::Displacement($site, 0), of: PhantomData }
+                PlaneEntry::of(Quantity::Displacement($site, 0))
             }
 
             /// The displacement along y \[m\].
             pub const fn displacement_y($self) -> PlaneEntry<M> {
-                PlaneEntry { quantity: Quantity::Displacement($site, 1), of: PhantomData }
+                PlaneEntry::of(Quantity::Displacement($site, 1))
             }
 
             /// The rotation \[rad\], anticlockwise.
             pub const fn rotation_z($self) -> PlaneEntry<M> {
-                PlaneEntry { quantity: Quantity::Displacement($site, 2), of: PhantomData }
+                PlaneEntry::of(Quantity::Displacement($site, 2))
             }
 
             /// A force of 1 N along x.
@@ -223,7 +223,7 @@ macro_rules! in_global_axes {
 impl<M> PlanePoint<M> {
     /// A displacement or a rotation.
     pub(crate) const fn displaced(self, place: usize) -> PlaneEntry<M> {
-        PlaneEntry { quantity: Quantity::Displacement(self.site, place), of: PhantomData }
+        PlaneEntry::of(Quantity::Displacement(self.site, place))
     }
 
     /// A force or a moment on it.
@@ -270,7 +270,7 @@ in_global_axes!(MemberEnd, self => self.point().site);
 
 impl<M> PlanePoint<M> {
     const fn reaction(self, axis: usize) -> PlaneEntry<M> {
-        PlaneEntry { quantity: Quantity::Reaction(self.site, axis), of: PhantomData }
+        PlaneEntry::of(Quantity::Reaction(self.site, axis))
     }
 
     const fn motion(self, axis: usize) -> PlaneLoad<M> {
@@ -308,8 +308,14 @@ impl<M> PlanePoint<M> {
     }
 }
 
+impl<M> PlaneEntry<M> {
+    pub(crate) const fn of(quantity: Quantity) -> Self {
+        PlaneEntry { quantity, of: PhantomData }
+    }
+}
+
 impl<M> PlaneLoad<M> {
-    const fn new(acting: PlaneActing) -> Self {
+    pub(crate) const fn new(acting: PlaneActing) -> Self {
         PlaneLoad { acting, of: PhantomData }
     }
 

@@ -13,6 +13,7 @@ pub(crate) mod fixed_list;
 pub(crate) mod floats;
 pub(crate) mod frequency;
 pub(crate) mod frequency_powers;
+pub(crate) mod gauss;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;

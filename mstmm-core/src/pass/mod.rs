@@ -1,10 +1,10 @@
 //! Carrying subspaces through a plan: from the tips to the root, and back.
 
 pub(crate) mod at_once;
-pub(crate) mod axial_force;
 pub(crate) mod both_ways;
 pub(crate) mod characteristic;
 pub(crate) mod drawn_tree;
+pub(crate) mod in_proportion;
 pub(crate) mod inlining;
 pub(crate) mod jump;
 pub(crate) mod model;

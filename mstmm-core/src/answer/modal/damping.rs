@@ -20,8 +20,10 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     /// Under the motion of a support each mode is damped relative to the support, not against a place at rest: its part is
     /// `-λ²(φφ/ω²)/(λ² + 2ζωλ + ω²)` beside the static response.
     ///
+    /// A force or a moment is that of the stiffness, without what damps it.
+    ///
     /// # Errors
-    /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates.
+    /// [`MotionError::DampingRatio`] for a ratio that is negative, or 1 and more, where nothing vibrates; [`MotionError::Derived`] for a rate.
     pub fn with_damping_ratio(&self, ratio: T) -> Result<Damped<T, N>, MotionError> {
         self.with_ratios(|_, _| ratio)
     }
@@ -46,7 +48,7 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     }
 
     fn with_ratios(&self, mut ratio: impl FnMut(usize, T) -> T) -> Result<Damped<T, N>, MotionError> {
-        let mut damped = self.without_terms();
+        let mut damped = self.without_terms()?;
         for term in &self.terms {
             let omega = term.lambda.im;
             let ratio = ratio(term.root, omega);
@@ -63,18 +65,23 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     /// The response with damping in proportion to inertias and stiffnesses, `C = α M + β K`: each mode has the eigenvalues of this damping, and modes that are
     /// not in the list follow late, by `ρ/(1 + βλ)`. A mode that does not vibrate any more has two terms in place of one.
     ///
-    /// A motion of a support moves what it damps with it, as in [`with_damping_ratio`](ModalResponse::with_damping_ratio).
+    /// A force or a moment is that of the stiffness and of its damping, `1 + βλ` times that of the stiffness. A motion of a support moves what it damps with it, as in
+    /// [`with_damping_ratio`](ModalResponse::with_damping_ratio).
     ///
     /// # Errors
-    /// [`MotionError::LossFactor`] for a loss factor, which has no motions in time; [`MotionError::DampingRatio`] for a mode that is critically damped to 1e-8;
-    /// [`MotionError::Capacity`] for more terms than `N`.
+    /// [`MotionError::LossFactor`] for a loss factor, which has no motions in time; [`MotionError::AxialForce`] for damping of stiffnesses where a member bears an axial
+    /// force; [`MotionError::Critical`] for a mode that is critically damped to 1e-8; [`MotionError::Derived`] for a rate; [`MotionError::Capacity`] for more terms than `N`.
     pub fn with_damping(&self, damping: &ProportionalDamping<T>) -> Result<Damped<T, N>, MotionError> {
         if !damping.loss_factor().is_zero() {
             return Err(MotionError::LossFactor);
         }
-        let mut damped = self.without_terms();
-        if !self.is_motion {
-            damped.lag = damping.of_stiffnesses();
+        let (alpha, beta) = (damping.of_inertias(), damping.of_stiffnesses());
+        if self.facts.bears_axial_force && !beta.is_zero() {
+            return Err(MotionError::AxialForce);
+        }
+        let mut damped = self.without_terms()?;
+        if !(self.facts.is_motion || self.facts.is_force) {
+            damped.lag = beta;
         }
         for term in &self.terms {
             let omega = term.lambda.im;
@@ -83,7 +90,7 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
             let [first, second] = damping.eigenvalues_at(omega);
             let apart = first - second;
             if apart.size() <= CRITICAL * first.size().max(second.size()) {
-                return Err(MotionError::DampingRatio { ratio: 1.0 });
+                return Err(MotionError::Critical { frequency: omega.to_f64() });
             }
             let own = |lambda: Complex<T>, residue| Term { lambda, residue, root: term.root }.moved_with(self, omega);
             if first.im.is_zero() {
@@ -93,19 +100,38 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
                 damped.push(own(first, Complex::from(product + product) / apart))?;
             }
         }
-        damped.drag(self.rigid, damping.of_inertias())?;
+        if self.facts.is_force {
+            damped.add_forces_of_damping(beta);
+        }
+        damped.drag(self.rigid, alpha)?;
         Ok(damped)
     }
 
     /// What is no mode, for a response with damping.
-    fn without_terms(&self) -> Damped<T, N> {
-        let ModalResponse { rigid, residual, lag, roots, is_motion, along, carried, .. } = *self;
+    fn without_terms(&self) -> Result<Damped<T, N>, MotionError> {
+        if self.facts.is_derived {
+            return Err(MotionError::Derived);
+        }
+        let ModalResponse { rigid, residual, lag, flow, carried, roots, facts, .. } = *self;
         let (terms, meaning) = (List::new(), core::marker::PhantomData);
-        ModalResponse { terms, rigid, residual, lag, roots, is_motion, along, carried, meaning }
+        Ok(ModalResponse { terms, rigid, residual, lag, flow, carried, roots, facts, meaning })
     }
 }
 
 impl<T: Real, const N: usize> Damped<T, N> {
+    /// The response times `1 + βλ`, of which what grows with λ follows the rate of the load. A force that follows a force at once has damping within it.
+    fn add_forces_of_damping(&mut self, beta: T) {
+        let mut at_once = T::zero();
+        for term in self.terms.as_mut_slice() {
+            at_once += term.residue.re;
+            term.residue *= Complex::from(T::one()) + term.lambda * beta;
+        }
+        if self.facts.is_motion {
+            self.flow = self.residual * beta;
+            self.residual += at_once * beta;
+        }
+    }
+
     /// Rigid bodies that a damping α drags: `1/(λ² + αλ)`, one that drifts and one that stops, in place of `1/λ²`.
     fn drag(&mut self, rigid: T, alpha: T) -> Result<(), MotionError> {
         if rigid.is_zero() || alpha.is_zero() {
@@ -121,7 +147,7 @@ impl<T: Real, const N: usize> Damped<T, N> {
 impl<T: Real> Term<T> {
     /// The term under the motion of a support, whose damping moves with it: `-λ²/ω²` times that of a force.
     fn moved_with<const N: usize, M>(self, response: &ModalResponse<T, N, M>, omega: T) -> Self {
-        if !response.is_motion {
+        if !response.facts.is_motion {
             return self;
         }
         let along = self.lambda / omega;

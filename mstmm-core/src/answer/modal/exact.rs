@@ -4,8 +4,8 @@ use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::network::response::PlaneResponse;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Real, Scalar};
-use crate::pass::axial_force::bears_axial_force;
 use crate::pass::characteristic::System;
+use crate::pass::in_proportion::Obstacles;
 use crate::pass::network::{MovingNetwork, PlaneFrequency};
 use crate::pass::tree::ExtendedTree;
 use crate::search::ProportionalDamping;
@@ -22,9 +22,13 @@ pub trait ExactResponse<T> {
     #[doc(hidden)]
     fn is_of_motion(&self) -> bool;
 
-    /// Whether a member bears an axial force.
+    /// Whether its entry is a force or a moment.
     #[doc(hidden)]
-    fn bears_axial_force(&self) -> bool;
+    fn is_of_force(&self) -> bool;
+
+    /// What the system has that damping in proportion does not go with.
+    #[doc(hidden)]
+    fn obstacles(&self) -> Obstacles;
 }
 
 impl<T, Y> ExactResponse<T> for FrequencyResponse<'_, Y>
@@ -34,15 +38,20 @@ where
     Y: ExtendedTree<Complex<T>> + System<Parameter = T>,
 {
     fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        const { assert!(!Y::SPINS, "gyroscopic moments grow with λ: no damping of a rotor is in proportion") };
         self.at(lambda)
     }
 
     fn is_of_motion(&self) -> bool {
-        false
+        self.is_motion()
     }
 
-    fn bears_axial_force(&self) -> bool {
-        bears_axial_force(self.system())
+    fn is_of_force(&self) -> bool {
+        self.is_force()
+    }
+
+    fn obstacles(&self) -> Obstacles {
+        Obstacles::of(self.system())
     }
 }
 
@@ -53,6 +62,7 @@ where
     Y: MovingNetwork<Complex<T>> + System<Parameter = T>,
 {
     fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        const { assert!(!Y::SPINS, "gyroscopic moments grow with λ: no damping of a rotor is in proportion") };
         self.at(lambda)
     }
 
@@ -60,14 +70,19 @@ where
         self.is_motion()
     }
 
-    fn bears_axial_force(&self) -> bool {
-        bears_axial_force(self.system())
+    fn is_of_force(&self) -> bool {
+        self.is_force()
+    }
+
+    fn obstacles(&self) -> Obstacles {
+        Obstacles::of(self.system())
     }
 }
 
 impl<T: Real> ProportionalDamping<T> {
     /// The response at λ of a system that is damped in proportion, `λ = iω` for a steady vibration, from the exact response without damping: with
-    /// `d = (1 + βλ)(1 + iη)` it is `H(λ')/d` at `λ'² = (λ² + αλ)/d`. No mode is needed, and none is left out.
+    /// `d = (1 + βλ)(1 + iη)` it is `H(λ')/d` at `λ'² = (λ² + αλ)/d`. No mode is needed, and none is left out. A force or a moment is that of the stiffness and of its
+    /// damping, d times as large.
     ///
     /// Under the motion of a support the damping of inertias moves with the support: `H(0) + (H(λ') - H(0)) λ/(λ + α)`.
     ///
@@ -92,26 +107,33 @@ impl<T: Real> ProportionalDamping<T> {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::AxialForce`] where a member bears an axial force, a stiffness that nothing damps; [`MotionError::LossFactor`] for `Im λ < 0` beside a loss
-    /// factor; else as the response.
+    /// [`MotionError::AxialForce`] for damping of stiffnesses where a member bears an axial force, a stiffness that nothing damps; [`MotionError::Damped`] where something is
+    /// damped already; [`MotionError::LossFactor`] for `Im λ < 0` beside a loss factor; else as the response.
     pub fn response(&self, exact: &impl ExactResponse<T>, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
-        if exact.bears_axial_force() {
+        let one = Complex::from(T::one());
+        let (alpha, beta, loss) = (self.of_inertias(), self.of_stiffnesses(), self.loss_factor());
+        let obstacles = exact.obstacles();
+        if obstacles.damping {
+            return Err(MotionError::Damped);
+        }
+        if obstacles.axial_force && !(beta.is_zero() && loss.is_zero()) {
             return Err(MotionError::AxialForce);
         }
-        let one = Complex::from(T::one());
-        if lambda.im < T::zero() && !self.loss_factor().is_zero() {
+        if lambda.im < T::zero() && !loss.is_zero() {
             return Err(MotionError::LossFactor);
         }
-        let factor = (one + lambda * self.of_stiffnesses()) * Complex::new(T::one(), self.loss_factor());
-        let square = lambda * (lambda + Complex::from(self.of_inertias())) / factor;
+        let factor = (one + lambda * beta) * Complex::new(T::one(), loss);
+        let square = lambda * (lambda + Complex::from(alpha)) / factor;
+        // a force is that of the stiffness and of its damping
+        let of_entry = if exact.is_of_force() { factor } else { one };
         if exact.is_of_motion() {
             let at_rest = exact.exactly(Complex::zero())?;
             if lambda.is_zero() {
-                return Ok(at_rest);
+                return Ok(at_rest * of_entry);
             }
-            let share = lambda / (lambda + Complex::from(self.of_inertias()));
-            return Ok(at_rest + (exact.exactly(square.sqrt())? - at_rest) * share);
+            let share = lambda / (lambda + Complex::from(alpha));
+            return Ok((at_rest + (exact.exactly(square.sqrt())? - at_rest) * share) * of_entry);
         }
-        Ok(exact.exactly(square.sqrt())? / factor)
+        Ok(exact.exactly(square.sqrt())? * (of_entry / factor))
     }
 }

@@ -15,6 +15,8 @@ pub struct ForceHistory<T, const N: usize> {
     modes: List<Mode<T>, N>,
     rigid: Rigid<T>,
     residual: T,
+    /// What follows the rate of the force at once.
+    flow: T,
     /// The residual compliance in its place, where it is late.
     late: Option<Mode<T>>,
     /// The last sample of the force; none before the first.
@@ -76,7 +78,7 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
         let rigid = Rigid { position: T::zero(), velocity: T::zero(), dt, acceleration: response.away() };
         let late = response.late().map(|term| Mode::new(&term, dt));
         let residual = if late.is_some() { T::zero() } else { response.residual };
-        Ok(ForceHistory { modes, rigid, residual, late, force: None })
+        Ok(ForceHistory { modes, rigid, residual, flow: response.flow, late, force: None })
     }
 
     /// The history from rest under a force [N or N m], which was there before: with the same force as the first sample nothing moves, and one of 0 lets go.
@@ -96,21 +98,22 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
     /// Takes the next sample of the force [N or N m] and gives the entry at its time; the first is that of t = 0, where the
     /// system is at rest.
     pub fn next(&mut self, force: T) -> T {
+        let slope = self.slope(force);
         self.step(force);
-        self.value(force)
+        self.value(force, slope)
     }
 
     /// As [`next`](ForceHistory::next), with the rate of the entry and its acceleration. Where the force has a kink, the rates before it count; at the first sample
     /// the force has no rate yet.
     pub fn next_motion(&mut self, force: T) -> EntryMotion<T> {
-        let slope = self.force.map_or_else(T::zero, |before| (force - before) / self.rigid.dt);
+        let slope = self.slope(force);
         self.step(force);
         let of_modes = self.modes.iter().chain(&self.late);
         let rate = of_modes.fold(self.rigid.velocity + self.residual * slope, |sum, mode| sum + mode.rate(force).re);
         let acceleration = self.modes.iter().fold(self.rigid.acceleration * force, |sum, mode| {
             sum + (mode.lambda * mode.rate(force) + mode.residue * slope).re
         });
-        EntryMotion { value: self.value(force), rate, acceleration }
+        EntryMotion { value: self.value(force, slope), rate, acceleration }
     }
 
     /// The entry at all samples of a record, one after the other.
@@ -128,10 +131,16 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
         }
     }
 
-    /// The entry under a force.
-    fn value(&self, force: T) -> T {
+    /// The entry under a force that has come with a slope.
+    fn value(&self, force: T, slope: T) -> T {
         let of_modes = self.modes.iter().chain(&self.late);
-        of_modes.fold(self.rigid.position + self.residual * force, |sum, mode| sum + mode.value.re)
+        let at_once = self.rigid.position + self.residual * force + self.flow * slope;
+        of_modes.fold(at_once, |sum, mode| sum + mode.value.re)
+    }
+
+    /// The slope of the force in the step that ends.
+    fn slope(&self, force: T) -> T {
+        self.force.map_or_else(T::zero, |before| (force - before) / self.rigid.dt)
     }
 }
 

@@ -23,6 +23,9 @@ macro_rules! in_frequency {
             /// [`MotionError::Resonance`] where it is infinite: at a root of the list, and at rest where a rigid body moves off.
             pub fn at(&self, x: $frequency) -> Result<$frequency, MotionError> {
                 let omega = x.omega().to_complex();
+                if !x.modulus().is_finite() {
+                    return Err(MotionError::NotFinite { frequency: x.modulus() });
+                }
                 let value = <$frequency>::from_complex(self.whole_at(Complex::new(-omega.im, omega.re))?);
                 if value.size().is_finite() { Ok(value) } else { Err(MotionError::Resonance { frequency: x.modulus() }) }
             }
@@ -61,7 +64,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
         let late = Complex::from(T::one()) + lambda * self.lag;
         let (sum, _) = self.sum_at(lambda);
-        let held = Complex::from(self.residual) / late + sum;
+        let held = Complex::from(self.residual) / late + sum + lambda * self.flow;
         if self.away().is_zero() {
             return Ok(held);
         }

@@ -9,4 +9,5 @@ pub(crate) mod of_tree;
 pub(crate) mod participation;
 pub(crate) mod rates;
 pub(crate) mod response;
+pub(crate) mod truncation;
 pub(crate) mod work;

@@ -2,13 +2,15 @@
 
 use crate::answer::at_rest::Part;
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal::response::{Products, Superposed};
+use crate::answer::modal::response::{Facts, Products, Superposed};
+use crate::answer::modal::truncation::Side;
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
 use crate::model::{Acting, Entry, Load, MotionError, Spread};
-use crate::number::{Real, Single};
+use crate::number::{Oscillation, Real, Single};
 use crate::pass::characteristic::System;
+use crate::pass::in_proportion::Obstacles;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use mstmm_plan::Coordinate;
@@ -31,6 +33,20 @@ impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     pub(crate) fn new(system: &'a Y, load: Load<Y::Model>, entry: Entry<Y::Model>) -> Result<Self, MotionError> {
         let response = FrequencyResponse::new(system, load, entry)?;
         Ok(OfTree { system, load, entry: Place::of_entry(system, entry)?, response })
+    }
+
+    /// What bounds of truncation need of a load whose entry works with it.
+    pub(crate) fn side<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        reach: Y::Parameter,
+    ) -> Result<Side<Y::Parameter>, MotionError>
+    where
+        R: Root<Y::Parameter, Frequency = Y::Parameter> + 'r,
+        Y: ExtendedTree<<Y as System>::Parameter> + Sized,
+        Y::Parameter: Oscillation<<Y as System>::Parameter>,
+    {
+        Side::new::<N, R>(self, roots, reach, self.entry.coordinate.is_force())
     }
 
     /// `φ φ` of a shape: what the load works on it, times the entry.
@@ -102,6 +118,10 @@ where
         self.response.held_at_rest()
     }
 
+    fn exactly(&self, x: R::Frequency) -> Result<R::Frequency, MotionError> {
+        self.response.at(x)
+    }
+
     fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
         self.response.sized(x)
     }
@@ -110,14 +130,16 @@ where
         self.system.frequency_estimates().lowest_exponent()
     }
 
-    fn is_motion(&self) -> bool {
-        matches!(self.load.acting, Acting::At(_, jump) if !jump.is_force())
-    }
-
-    fn goes_along(&self) -> Option<T> {
+    fn facts(&self) -> Facts<T> {
         let is_along = self.entry.coordinate == Coordinate::Y;
         let is_of_ground = matches!(self.load.acting, Acting::Spread(Spread::Inertia(_)));
-        is_of_ground.then(|| if is_along { T::one() } else { T::zero() })
+        Facts {
+            is_motion: matches!(self.load.acting, Acting::At(_, jump) if !jump.is_force()),
+            is_force: self.entry.coordinate.is_force(),
+            bears_axial_force: Obstacles::of(self.system).axial_force,
+            along: is_of_ground.then(|| if is_along { T::one() } else { T::zero() }),
+            ..Facts::default()
+        }
     }
 
     fn has_loss(&self) -> bool {

@@ -1,6 +1,6 @@
 //! Responses of rates and accelerations, and those to accelerations of what moves.
 
-use crate::answer::modal::response::{ModalResponse, Term};
+use crate::answer::modal::response::{Facts, ModalResponse, Term};
 use crate::model::MotionError;
 use crate::number::{List, Real};
 use num_complex::Complex;
@@ -13,16 +13,21 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// # Errors
     /// [`MotionError::NotOfGround`] for another load than an acceleration of the ground.
     pub fn absolute(&self) -> Result<Self, MotionError> {
-        Ok(ModalResponse { carried: self.along.ok_or(MotionError::NotOfGround)?, ..*self })
+        Ok(ModalResponse { carried: self.facts.along.ok_or(MotionError::NotOfGround)?, ..*self })
     }
 
-    /// The response of the rate of the entry, such as a velocity. Modes that are not in the list have no part in it.
+    /// The response of the rate of the entry, such as a velocity. Modes that are not in the list follow the rate of the load; of those that follow it late nothing is
+    /// left.
+    ///
+    /// Damping comes first: the rate of a response with damping is another one.
     ///
     /// # Errors
-    /// [`MotionError::Capacity`] where there is no room for a rigid body beside `N` modes; [`MotionError::SupportMotion`] under the motion of a support, with which a
-    /// part of the entry moves at once.
+    /// [`MotionError::Capacity`] where there is no room for a rigid body beside `N` modes; [`MotionError::AtOnce`] for an entry of which a part follows the rate of the load
+    /// already.
     pub fn rate(&self) -> Result<Self, MotionError> {
-        let mut rate = self.derived(|lambda| lambda, |term| term.residue.re)?;
+        let mut rate = self.derived(|lambda| lambda)?;
+        rate.residual = self.terms.iter().fold(T::zero(), |sum, term| sum + term.residue.re);
+        rate.flow = if self.lag.is_zero() { self.residual } else { T::zero() };
         if !self.away().is_zero() {
             rate.push(Term { lambda: Complex::zero(), residue: Complex::from(self.away()), root: 0 })?;
         }
@@ -33,31 +38,33 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// the ground.
     ///
     /// # Errors
-    /// [`MotionError::SupportMotion`] as for [`rate`](ModalResponse::rate).
+    /// [`MotionError::AtOnce`] under the motion of a support, with which a part of the entry moves at once, and as for [`rate`](ModalResponse::rate).
     pub fn acceleration(&self) -> Result<Self, MotionError> {
-        let mut acceleration = self.derived(|lambda| lambda * lambda, |term| (term.residue * term.lambda).re)?;
+        if self.facts.is_motion {
+            return Err(MotionError::AtOnce);
+        }
+        let mut acceleration = self.derived(|lambda| lambda * lambda)?;
+        for term in &self.terms {
+            acceleration.residual += (term.residue * term.lambda).re;
+            acceleration.flow += term.residue.re;
+        }
         acceleration.residual += self.away();
         Ok(acceleration)
     }
 
-    /// The response of a derivative: its terms by a factor, and what follows the load at once.
-    fn derived(
-        &self,
-        factor: impl Fn(Complex<T>) -> Complex<T>,
-        at_once: impl Fn(&Term<T>) -> T,
-    ) -> Result<Self, MotionError> {
-        if self.is_motion {
-            return Err(MotionError::SupportMotion);
-        }
-        let mut terms = List::new();
-        let mut residual = T::zero();
-        for term in &self.terms {
-            residual += at_once(term);
-            let derived = Term { residue: term.residue * factor(term.lambda), ..*term };
-            terms.push(derived).map_err(|_| MotionError::Capacity { capacity: N })?;
+    /// The terms of a derivative, by a factor.
+    fn derived(&self, factor: impl Fn(Complex<T>) -> Complex<T>) -> Result<Self, MotionError> {
+        if !self.flow.is_zero() {
+            return Err(MotionError::AtOnce);
         }
         let zero = T::zero();
-        Ok(ModalResponse { terms, residual, rigid: zero, carried: zero, lag: zero, along: None, ..*self })
+        let facts = Facts { is_derived: true, along: None, ..self.facts };
+        let (terms, [rigid, residual, lag, carried]) = (List::new(), [zero; 4]);
+        let mut derived = ModalResponse { terms, rigid, residual, lag, carried, facts, ..*self };
+        for term in self.terms.iter().filter(|term| !term.lambda.is_zero()) {
+            derived.push(Term { residue: term.residue * factor(term.lambda), ..*term })?;
+        }
+        Ok(derived)
     }
 
     /// The response to the acceleration of a support, in place of its motion: as a record of an earthquake has it. The motion is its second integral from rest, in closed
@@ -65,19 +72,26 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     ///
     /// # Errors
     /// [`MotionError::NoSupportMotion`] for another load than the motion of a support; [`MotionError::Resonance`] as
-    /// [`static_value`](ModalResponse::static_value).
+    /// [`static_value`](ModalResponse::static_value); [`MotionError::Capacity`] where there is no room for a drift beside `N` modes.
     pub fn from_acceleration(&self) -> Result<Self, MotionError> {
-        if !self.is_motion {
+        if !self.facts.is_motion || self.facts.is_derived {
             return Err(MotionError::NoSupportMotion);
         }
-        let rigid = self.static_value()?;
-        let mut terms = List::new();
-        for term in &self.terms {
-            let integrated = Term { residue: term.residue / (term.lambda * term.lambda), ..*term };
-            terms.push(integrated).map_err(|_| MotionError::Capacity { capacity: N })?;
-        }
         let zero = T::zero();
-        Ok(ModalResponse { terms, rigid, residual: zero, lag: zero, is_motion: false, ..*self })
+        let facts = Facts { is_motion: false, is_derived: true, ..self.facts };
+        let (terms, rigid, [residual, lag, flow]) = (List::new(), self.static_value()?, [zero; 3]);
+        let mut integrated = ModalResponse { terms, rigid, residual, lag, flow, facts, ..*self };
+        // H(λ)/λ² = H(0)/λ² + H'(0)/λ + the integrated terms
+        let mut drift = self.flow;
+        for term in &self.terms {
+            let residue = term.residue / (term.lambda * term.lambda);
+            drift -= residue.re;
+            integrated.push(Term { residue, ..*term })?;
+        }
+        if !drift.is_zero() {
+            integrated.push(Term { lambda: Complex::zero(), residue: Complex::from(drift), root: 0 })?;
+        }
+        Ok(integrated)
     }
 
     /// The entry at a time \[s\] after a constant load of 1, under which the system rested, is taken away; the static value before that, NaN for a time that is NaN.

@@ -39,15 +39,29 @@ pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) residual: T,
     /// The time by which the residual compliance is late.
     pub(crate) lag: T,
-    /// How many roots were in the list.
-    pub(crate) roots: usize,
-    /// Whether its load is the motion of a support.
-    pub(crate) is_motion: bool,
-    /// Under an acceleration of the ground: how far the entry goes along with a motion of 1 of the ground.
-    pub(crate) along: Option<T>,
+    /// What follows the rate of the load at once.
+    pub(crate) flow: T,
     /// How much of the motion of the ground is in it.
     pub(crate) carried: T,
+    /// How many roots were in the list.
+    pub(crate) roots: usize,
+    pub(crate) facts: Facts<T>,
     pub(crate) meaning: PhantomData<fn() -> M>,
+}
+
+/// What its load and its entry are.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Facts<T> {
+    /// Whether the load is the motion of a support, or a dislocation.
+    pub(crate) is_motion: bool,
+    /// Whether the entry is a force or a moment.
+    pub(crate) is_force: bool,
+    /// Whether it is the rate of a response, or one to an acceleration in place of a motion.
+    pub(crate) is_derived: bool,
+    /// Whether a member bears an axial force.
+    pub(crate) bears_axial_force: bool,
+    /// Under an acceleration of the ground: how far the entry goes along with a motion of 1 of the ground.
+    pub(crate) along: Option<T>,
 }
 
 /// The part of a mode in the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
@@ -72,19 +86,9 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         if source.has_loss() {
             return Err(MotionError::LossFactor);
         }
-        let [rigid, residual, lag] = [T::zero(); 3];
-        let is_motion = source.is_motion();
-        let mut response = ModalResponse {
-            terms: List::new(),
-            rigid,
-            residual,
-            lag,
-            roots: 0,
-            is_motion,
-            along: source.goes_along(),
-            carried: T::zero(),
-            meaning: PhantomData,
-        };
+        let [rigid, residual, lag, flow, carried] = [T::zero(); 5];
+        let (terms, facts, meaning) = (List::new(), source.facts(), PhantomData);
+        let mut response = ModalResponse { terms, rigid, residual, lag, flow, carried, roots: 0, facts, meaning };
         let mut at_rest = None;
         for root in roots {
             response.roots += 1;
@@ -223,7 +227,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
 
 impl<T: Real> Term<T> {
     /// The static response of the mode.
-    fn at_rest(&self) -> T {
+    pub(super) fn at_rest(&self) -> T {
         -(self.residue / self.lambda).re
     }
 }
@@ -262,21 +266,17 @@ pub(crate) trait Superposed<T: Real, R: Root<T>>: Products<T, R> {
     /// The static limit of a system that is held; `None` where something moves off.
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError>;
 
+    /// The response, exactly.
+    fn exactly(&self, x: R::Frequency) -> Result<R::Frequency, MotionError>;
+
     /// The response, and a size compared with which its rounding is small.
     fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError>;
 
     /// Logarithm to base 2 of a frequency below all roots but those at zero.
     fn lowest_exponent(&self) -> i32;
 
-    /// Whether its load is the motion of a support.
-    fn is_motion(&self) -> bool {
-        false
-    }
-
-    /// How far the entry goes along with a motion of 1 of the ground, if the load is an acceleration of that.
-    fn goes_along(&self) -> Option<T> {
-        None
-    }
+    /// What its load and its entry are.
+    fn facts(&self) -> Facts<T>;
 
     /// Whether something has a loss factor.
     fn has_loss(&self) -> bool;

@@ -5,6 +5,7 @@ pub(crate) mod geometry;
 pub(crate) mod inside;
 mod moving_mass;
 pub(crate) mod of_frame;
+mod own_load;
 pub(crate) mod questions;
 pub(crate) mod response;
 pub(crate) mod sensitivity;

@@ -1,13 +1,15 @@
 //! The response of a plane structure as a sum over modes takes it.
 
 use crate::answer::at_rest::Part;
-use crate::answer::modal::response::{Products, Superposed};
+use crate::answer::modal::response::{Facts, Products, Superposed};
+use crate::answer::modal::truncation::Side;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
 use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad};
 use crate::number::Real;
 use crate::pass::characteristic::System;
+use crate::pass::in_proportion::Obstacles;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
 use num_traits::Zero;
 
@@ -35,6 +37,20 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
             return Err(MotionError::NotModal);
         }
         Ok(OfFrame { system, load, entry, response: PlaneResponse::new(system, load, entry)? })
+    }
+
+    /// What bounds of truncation need of a load whose entry works with it.
+    pub(super) fn side<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        reach: Y::Parameter,
+    ) -> Result<Side<Y::Parameter>, MotionError>
+    where
+        R: Root<Y::Parameter, Frequency = Y::Parameter> + 'r,
+        Y: MovingNetwork<<Y as System>::Parameter>,
+        Y::Parameter: PlaneFrequency<<Y as System>::Parameter>,
+    {
+        Side::new::<N, R>(self, roots, reach, matches!(self.entry.quantity, Quantity::Internal { .. }))
     }
 
     /// `φ φ` of a shape: what the load works on it, times the entry. A motion works against the reactions of its support.
@@ -109,6 +125,10 @@ where
         }
     }
 
+    fn exactly(&self, x: R::Frequency) -> Result<R::Frequency, MotionError> {
+        self.response.at(x)
+    }
+
     fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
         self.response.sized(x)
     }
@@ -117,14 +137,21 @@ where
         self.response.lowest_exponent()
     }
 
-    fn goes_along(&self) -> Option<T> {
-        let PlaneActing::Spread(SpreadLoad { axis, is_inertia: true, .. }) = self.load.acting else { return None };
-        let is_along = matches!(self.entry.quantity, Quantity::Displacement(_, own) if own == axis);
-        Some(if is_along { T::one() } else { T::zero() })
-    }
-
-    fn is_motion(&self) -> bool {
-        self.response.is_motion()
+    fn facts(&self) -> Facts<T> {
+        let moved = match (self.load.acting, self.entry.quantity) {
+            (PlaneActing::Spread(SpreadLoad { axis, is_inertia: true, .. }), Quantity::Displacement(_, own)) => {
+                Some(own == axis)
+            }
+            (PlaneActing::Spread(SpreadLoad { is_inertia: true, .. }), _) => Some(false),
+            _ => None,
+        };
+        Facts {
+            is_motion: self.response.is_motion(),
+            is_force: self.response.is_force(),
+            bears_axial_force: Obstacles::of(self.system).axial_force,
+            along: moved.map(|is_along| if is_along { T::one() } else { T::zero() }),
+            ..Facts::default()
+        }
     }
 
     fn has_loss(&self) -> bool {

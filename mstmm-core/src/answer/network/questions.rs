@@ -2,8 +2,10 @@
 
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
+use crate::answer::modal::truncation::{Side, Truncation, check_list};
 use crate::answer::network::moving_mass::moving_mass;
 use crate::answer::network::of_frame::{OfFrame, WorkOnFrame};
+use crate::answer::network::own_load::OwnLoad;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
@@ -11,9 +13,10 @@ use crate::answer::network::sketch::Sketch;
 use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
-use crate::model::{Direction, MotionError, PlaneEntry, PlaneLoad};
+use crate::model::{Direction, MotionError, PlaneEntry, PlaneLoad, TruncationError};
 use crate::pass::characteristic::System;
 use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency};
+use crate::search::{NaturalFrequencies, Undamped};
 
 /// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
 pub trait FrameAnalysis: Placed + Sized {
@@ -136,6 +139,38 @@ pub trait FrameAnalysis: Placed + Sized {
         const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
         let total = self.moving_mass(direction)?;
         Participation::new(&WorkOnFrame { system: self, load: PlaneLoad::weight(direction.axis) }, total, roots)
+    }
+
+    /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.
+    ///
+    /// # Errors
+    /// [`TruncationError::Missing`] where a count proves that these are not all modes below the reach; [`MotionError::NotModal`] for the motion of a support and for a reaction;
+    /// [`MotionError::Resonance`] for a load along members of what floats; else as
+    /// [`count_below`](NaturalFrequencies::count_below) and [`modal_response`](FrameAnalysis::modal_response).
+    #[inline(never)]
+    fn truncation<'r, const N: usize, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R> + Clone,
+        load: PlaneLoad<Self::Model>,
+        entry: PlaneEntry<Self::Model>,
+        reach: <Self as System>::Parameter,
+    ) -> Result<Truncation<<Self as System>::Parameter>, TruncationError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<<Self as System>::Parameter> + Undamped,
+    {
+        check_list(self.count_below(reach)?, roots.clone())?;
+        let of_load = match load.dual() {
+            Some(own) => OfFrame::new(self, load, own)?.side::<N, R>(roots.clone(), reach)?,
+            None if load.is_spread() => {
+                Side::new::<N, R>(&OwnLoad::new(self, load, entry)?, roots.clone(), reach, false)?
+            }
+            None => return Err(MotionError::NotModal.into()),
+        };
+        let own = entry.dual().ok_or(MotionError::NotModal)?;
+        let of_entry = OfFrame::new(self, own, entry)?.side::<N, R>(roots, reach)?;
+        Ok(Truncation::new(reach, of_load, of_entry))
     }
 
     /// The mass that modes can move along a direction \[kg\]: of each member what it has along the direction, of each body what no support holds. It is what

@@ -57,6 +57,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         matches!(self.load.acting, PlaneActing::Motion(..) | PlaneActing::Dislocation(..))
     }
 
+    /// Whether the entry is a force or a moment.
+    pub(crate) fn is_force(&self) -> bool {
+        !matches!(self.entry.quantity, Quantity::Displacement(..))
+    }
+
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with
     /// loss factors the limit from above.
     ///

@@ -35,7 +35,7 @@ where
     }
     let has_weight = |node: usize| {
         let (body, motions) = system.node(node);
-        motions.is_of_path && body.has_body() && !body.mass.is_zero()
+        motions.has_no_direction() && body.has_body() && !body.mass.is_zero()
     };
     if (0..nodes).any(has_weight) {
         return Err(MotionError::NoUniformLoad);
@@ -66,7 +66,7 @@ where
         return Ok([S::zero(); 2]);
     }
     let is_straight = placement.axes::<Y::Parameter>(0).along == placement.axes(1).along
-        && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.is_of_path);
+        && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.has_no_direction());
     let takes_loads = system.visit_member(member, TakesLoads).unwrap_or(false);
     if !(is_straight && takes_loads) {
         return Err(MotionError::NoUniformLoad);

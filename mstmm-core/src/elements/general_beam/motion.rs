@@ -5,9 +5,9 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::shared::dissipation::UndampedForms;
-use crate::elements::shared::gauss::integrals_beside_ends;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
+use crate::number::gauss::integrals_beside_ends;
 use crate::number::{Oscillation, Real};
 use num_complex::Complex;
 

@@ -2,10 +2,10 @@
 
 use crate::element::{Forms, Inside, MemberEnds};
 use crate::elements::beam::Beam;
-use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::krylov;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::model::{Ends, State};
+use crate::number::gauss::integrals;
 use crate::number::{FrequencyPowers, Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;

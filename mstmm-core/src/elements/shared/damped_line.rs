@@ -2,12 +2,12 @@
 
 use crate::element::{Forms, Inside};
 use crate::elements::shared::dissipation::{Dissipation, UndampedForms};
-use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::elements::shared::rod_motion::Stretch;
 use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine};
 use crate::model::FrequencyEstimates;
+use crate::number::gauss::integrals;
 use crate::number::{ComplexFrequency, FrequencyPowers, Oscillation, Parameter, Real};
 
 /// A line with damping: the line whose stiffness is `H e(λ)` and whose foundation is `k + c_e λ`.

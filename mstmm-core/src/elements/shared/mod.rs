@@ -14,7 +14,6 @@ pub(crate) mod damped_line;
 pub(crate) mod damped_stiffness;
 pub(crate) mod damped_ties;
 pub(crate) mod dissipation;
-pub(crate) mod gauss;
 pub(crate) mod krylov;
 pub(crate) mod line_forms;
 pub(crate) mod line_step;

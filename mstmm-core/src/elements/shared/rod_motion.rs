@@ -2,11 +2,11 @@
 
 use crate::element::{Inside, MemberEnds, MemberWork};
 use crate::elements::shared::bending_motion::{APART, LONG};
-use crate::elements::shared::gauss::integrals;
 use crate::elements::shared::krylov::cosine_and_sinc;
 use crate::elements::shared::line_forms::{half, smaller_sum};
 use crate::elements::shared::uniform_line::LineSection;
 use crate::model::{Ends, State};
+use crate::number::gauss::integrals;
 use crate::number::{Oscillation, Real, Scalar, exponential};
 use num_complex::Complex;
 use num_traits::Zero;

@@ -1,9 +1,9 @@
 //! States of a tapered beam between its ends.
 
-use crate::elements::shared::gauss::integrals;
 use crate::elements::tapered_beam::BuiltTaperedBeam;
 use crate::elements::tapered_beam::walk::{Places, Tapered};
 use crate::model::{Ends, State};
+use crate::number::gauss::integrals;
 use crate::number::{Oscillation, Real, Single, binary_exponent};
 use crate::subspace::{Covector, Plane, Subspace};
 

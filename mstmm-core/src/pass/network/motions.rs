@@ -7,6 +7,9 @@ use crate::pass::network::vector::{DISPLACEMENTS, Six};
 use crate::structure::MOST_MOTIONS;
 use mstmm_plan::Freedoms;
 
+/// The place of y among displacements.
+const ACROSS: usize = 1;
+
 /// No joint.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -98,6 +101,11 @@ impl<T: Parameter> Motions<T> {
         own.any(|(direction, shared)| {
             matches!(direction, Direction::Of(place) if *place == axis) && *shared == Shared::AtRest
         })
+    }
+
+    /// Whether it is the motion of a path which is along no axis of the structure: in the plane and in space; on a line it is that along y.
+    pub(crate) fn has_no_direction(&self) -> bool {
+        self.is_of_path && !self.directions.iter().take(self.count).any(|own| matches!(own, Direction::Of(ACROSS)))
     }
 
     /// Whether all are motions in the plane of x and y.

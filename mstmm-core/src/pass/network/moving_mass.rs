@@ -5,7 +5,7 @@
 
 use crate::element::MemberNumbers;
 use crate::model::MotionError;
-use crate::number::Real;
+use crate::number::{Real, Scalar};
 use crate::pass::network::motions::{NONE, Shared};
 use crate::pass::network::placed::Placed;
 use crate::pass::network::ties::shares;
@@ -20,24 +20,25 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 #[derive(Clone, Copy, Debug)]
 struct Inertia<T> {
     masses: [Six<T>; 6],
-    /// The diagonal before the first elimination.
+    /// The diagonal before the first elimination, and the largest that its momentum may be.
     diagonal: Six<T>,
+    largest: Six<T>,
     momentum: Six<T>,
 }
 
 impl<T: Real> Inertia<T> {
     fn none() -> Self {
         let zero = [T::zero(); 6];
-        Inertia { masses: [zero; 6], diagonal: zero, momentum: zero }
+        Inertia { masses: [zero; 6], diagonal: zero, largest: zero, momentum: zero }
     }
 
-    /// Eliminates a motion, and gives what it adds to the mass.
-    fn eliminate(&mut self, motion: usize) -> T {
+    /// Eliminates a motion, and gives what it adds to the mass; none where rounding hides that.
+    fn eliminate(&mut self, motion: usize) -> Option<T> {
         let (column, pivot, momentum) = (self.masses[motion], self.masses[motion][motion], self.momentum[motion]);
         (self.masses[motion], self.momentum[motion]) = ([T::zero(); 6], T::zero());
         self.masses.iter_mut().for_each(|row| row[motion] = T::zero());
         if pivot.size() <= ROUNDING * self.diagonal[motion].size() {
-            return T::zero();
+            return (momentum.size() <= ROUNDING * self.largest[motion].size()).then_some(T::zero());
         }
         for (place, own) in column.iter().enumerate().filter(|(place, _)| *place != motion) {
             let part = *own / pivot;
@@ -46,7 +47,7 @@ impl<T: Real> Inertia<T> {
                 self.masses[place][other] -= part * *entry;
             }
         }
-        momentum * momentum / pivot
+        Some(momentum * momentum / pivot)
     }
 
     /// Adds another one, whose motions are motions of this one, or are at rest.
@@ -55,6 +56,7 @@ impl<T: Real> Inertia<T> {
         for (from, to) in pairs() {
             self.momentum[to] += other.momentum[from];
             self.diagonal[to] += other.diagonal[from];
+            self.largest[to] += other.largest[from];
             for (other_from, other_to) in pairs() {
                 self.masses[to][other_to] += other.masses[from][other_from];
             }
@@ -62,32 +64,74 @@ impl<T: Real> Inertia<T> {
     }
 }
 
+/// Nodes that rigid joints tie, directly or by others: which node stands for them, whether all move along the axis, and whether a joint ties them otherwise than motion by
+/// motion.
+#[derive(Clone, Copy, Debug)]
+struct Tied {
+    by: u32,
+    all_move: bool,
+    is_odd: bool,
+}
+
+/// The node that stands for all that are tied to one.
+fn stands_for(tied: &[Tied], node: usize) -> usize {
+    let mut last = node;
+    while tied[last].by as usize != last {
+        last = tied[last].by as usize;
+    }
+    last
+}
+
 /// The mass of all bodies along an axis, as far as modes can move it.
 ///
 /// # Errors
-/// [`MotionError::HeldMass`] where a support holds a body along the axis, and a rigid joint ties bodies otherwise than motion by motion.
+/// [`MotionError::HeldMass`] for a body that something holds in part, where rigid joints tie it otherwise than motion by motion, or rounding hides how it turns.
 pub(crate) fn mass_of_bodies<Y: Placed>(network: &Y, axis: usize) -> Result<Y::Parameter, MotionError> {
-    let [nodes, members] = network.sizes();
-    let is_odd_joint = |member: &usize| {
-        let is_rigid = matches!(network.numbers()[*member], MemberNumbers::Joint(rigid, _) if !rigid.is_empty());
-        is_rigid && !network.placement(*member).is_tie
-    };
-    let mut joined = (0..members).filter(is_odd_joint);
-    let moves = |node: usize| moves_along(network, node, axis);
-    let unmoved = (0..nodes).find(|node| network.node(*node).0.has_body() && !moves(*node));
-    if let Some(member) = joined.next() {
-        let mut ends = core::iter::once(member).chain(joined);
-        let all_move = ends.all(|member| [0, 1].iter().all(|end| moves(network.placement(member).node_of(*end))));
-        if let (false, Some(node)) =
-            (all_move && unmoved.is_none(), (0..nodes).find(|node| network.node(*node).0.has_body()))
-        {
-            return Err(MotionError::HeldMass { at: network.spot(unmoved.unwrap_or(node)) });
+    let count = network.sizes()[0];
+    let mut tied = network.per_node(Tied { by: 0, all_move: true, is_odd: false });
+    let tied = &mut tied.as_mut()[..count];
+    for (node, tied) in tied.iter_mut().enumerate() {
+        *tied = Tied { by: node as u32, all_move: moves_along(network, node, axis), is_odd: false };
+    }
+    tie_all(network, tied);
+    let mut inertias = network.per_node(Inertia::none());
+    let mut mass = Y::Parameter::zero();
+    let mut along = [Y::Parameter::zero(); 6];
+    along[axis] = Y::Parameter::one();
+    for (node, inertia) in inertias.as_mut().iter_mut().enumerate().take(count) {
+        let (body, motions) = network.node(node);
+        let Tied { all_move, is_odd, .. } = tied[stands_for(tied, node)];
+        if all_move {
+            mass += body.mass;
+        } else if is_odd && !body.mass.is_zero() {
+            return Err(MotionError::HeldMass { at: network.spot(node) });
+        } else if body.has_body() {
+            let masses = motions.masses::<Y::Parameter>(body);
+            let diagonal = core::array::from_fn(|motion| masses[motion][motion]);
+            let largest = diagonal.map(|own: Y::Parameter| (own * body.mass).sqrt());
+            let momentum = motions.parts_of(body.momentum(along));
+            *inertia = Inertia { masses, diagonal, largest, momentum };
         }
     }
-    if unmoved.is_none() {
-        return Ok((0..nodes).fold(Y::Parameter::zero(), |sum, node| sum + network.node(node).0.mass));
+    Ok(mass + eliminated(network, inertias.as_mut())?)
+}
+
+/// Finds which nodes rigid joints tie.
+fn tie_all<Y: Placed>(network: &Y, tied: &mut [Tied]) {
+    for member in 0..network.sizes()[1] {
+        let placement = network.placement(member);
+        let is_rigid = matches!(network.numbers()[member], MemberNumbers::Joint(rigid, _) if !rigid.is_empty());
+        if !(is_rigid || placement.is_tie) {
+            continue;
+        }
+        let [one, other] = [0, 1].map(|end| (!placement.rests(end)).then(|| placement.node_of(end)));
+        let (Some(one), Some(other)) = (one.or(other), other.or(one)) else { continue };
+        let [one, other] = [one, other].map(|node| stands_for(tied, node));
+        let holds = [0, 1].iter().any(|end| placement.rests(*end)) && !placement.is_tie;
+        tied[one].all_move &= tied[other].all_move && !holds;
+        tied[one].is_odd |= tied[other].is_odd || !placement.is_tie;
+        tied[other].by = one as u32;
     }
-    Ok(eliminated(network, axis))
 }
 
 /// Whether nothing holds a node along an axis.
@@ -96,13 +140,11 @@ fn moves_along<Y: Placed>(network: &Y, node: usize, axis: usize) -> bool {
     body.skew.is_none() && !body.held.contains(Freedoms::EACH[axis]) && !motions.rests_along(axis)
 }
 
-/// The mass of all bodies, of which some are held.
-fn eliminated<Y: Placed>(network: &Y, axis: usize) -> Y::Parameter {
+/// The mass of bodies of which some are held, node by node.
+fn eliminated<Y: Placed>(network: &Y, inertias: &mut [Inertia<Y::Parameter>]) -> Result<Y::Parameter, MotionError> {
     let count = network.sizes()[0];
-    let (mut inertias, mut waiting) = (network.per_node(Inertia::none()), network.per_node(0_u32));
-    let (inertias, waiting) = (inertias.as_mut(), waiting.as_mut());
-    let mut along = [Y::Parameter::zero(); 6];
-    along[axis] = Y::Parameter::one();
+    let mut waiting = network.per_node(0_u32);
+    let waiting = waiting.as_mut();
     let above = |node: usize| {
         let tie = network.node(node).1.hangs_by;
         (tie != NONE).then(|| network.placement(tie as usize)).map(|placement| {
@@ -110,13 +152,7 @@ fn eliminated<Y: Placed>(network: &Y, axis: usize) -> Y::Parameter {
             (placement, leaf, placement.node_of(1 - leaf))
         })
     };
-    for (node, inertia) in inertias.iter_mut().enumerate().take(count) {
-        let (body, motions) = network.node(node);
-        if body.has_body() {
-            let masses = motions.masses::<Y::Parameter>(body);
-            let diagonal = core::array::from_fn(|motion| masses[motion][motion]);
-            *inertia = Inertia { masses, diagonal, momentum: motions.parts_of(body.momentum(along)) };
-        }
+    for node in 0..count {
         if let Some((.., root)) = above(node) {
             waiting[root] += 1;
         }
@@ -131,7 +167,7 @@ fn eliminated<Y: Placed>(network: &Y, axis: usize) -> Y::Parameter {
                 shares(placement, leaf, network.node(root).1.count == 0, root).unwrap_or([Shared::Own; 6])
             });
             for motion in (0..network.node(node).1.count).filter(|motion| shared[*motion] == Shared::Own) {
-                mass += own.eliminate(motion);
+                mass += own.eliminate(motion).ok_or(MotionError::HeldMass { at: network.spot(node) })?;
             }
             let Some((.., root)) = above(node) else { break };
             let motions = shared.map(|shared| match shared {
@@ -143,5 +179,5 @@ fn eliminated<Y: Placed>(network: &Y, axis: usize) -> Y::Parameter {
             node = root;
         }
     }
-    mass
+    Ok(mass)
 }

@@ -1,4 +1,4 @@
-//! Whether a system bears axial forces.
+//! What keeps damping in proportion to inertias and stiffnesses from a system: axial forces, and damping that it has.
 
 use crate::element::{Exact, MemberNumbers};
 use crate::model::MemberPlane;
@@ -6,21 +6,27 @@ use crate::pass::characteristic::System;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
 use mstmm_plan::{Freedoms, Space, Support};
 
-/// Whether a member of a system bears an axial force.
-pub(crate) fn bears_axial_force<Y: System + ?Sized>(system: &Y) -> bool {
-    let mut forces = AxialForces { are_there: false };
-    system.name_parts(&mut forces);
-    forces.are_there
+/// What a system has that damping in proportion does not go with.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Obstacles {
+    /// Whether a member bears an axial force, a stiffness that nothing damps.
+    pub(crate) axial_force: bool,
+    /// Whether something is damped already.
+    pub(crate) damping: bool,
 }
 
-/// A visitor that looks for axial forces.
-struct AxialForces {
-    are_there: bool,
-}
+impl Obstacles {
+    /// What a system has.
+    pub(crate) fn of<Y: System + ?Sized>(system: &Y) -> Self {
+        let mut found = Obstacles::default();
+        system.name_parts(&mut found);
+        found
+    }
 
-impl AxialForces {
     fn look_at(&mut self, numbers: &MemberNumbers) {
-        let force = match numbers.parted().0 {
+        let (undamped, damping) = numbers.parted();
+        self.damping |= !damping.is_none();
+        let force = match undamped {
             MemberNumbers::Beam(beam) => beam.axial_force,
             MemberNumbers::Body(body) => body.axial_force,
             MemberNumbers::Tapered(beam) if beam.rotation_speed == [0.0; 2] => beam.axial_force,
@@ -28,11 +34,11 @@ impl AxialForces {
             MemberNumbers::Tapered(beam) => beam.rotation_speed,
             _ => [0.0; 2],
         };
-        self.are_there |= force != [0.0; 2];
+        self.axial_force |= force != [0.0; 2];
     }
 }
 
-impl Visitor for AxialForces {
+impl Visitor for Obstacles {
     fn tip(&mut self, _: usize, _: Support) {}
 
     fn element(&mut self, _: usize, _: usize, _: Space, numbers: &MemberNumbers) {

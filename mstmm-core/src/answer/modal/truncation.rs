@@ -1,0 +1,205 @@
+//! What a sum over modes leaves out, bounded.
+//!
+//! Of the modes n that are not in the list, a load works a_n on the mode and an entry of it is b_n. A sum with the residual compliance is exact at rest, so that at ω it leaves
+//! out `Σ a_n b_n ω²/(ω_n² (ω_n² - ω²))`. All these modes are beyond the reach Ω, which a count proves. So for ω <= Ω
+//!
+//! - `ω²/(ω_n² - ω²) <= (ω/Ω)² Ω²/(ω_n² - Ω²)`, and by Cauchy and Schwarz the sum is at most `(ω/Ω)² √(R_aa R_bb)`, where
+//!   `R_aa = Σ a_n² Ω²/(ω_n² (ω_n² - Ω²))`;
+//! - `ω²/(ω_n² - ω²) <= ω²/(Ω² - ω²)`, and it is at most `ω²/(Ω² - ω²) √(ρ_aa ρ_bb)`, where `ρ_aa = Σ a_n²/ω_n²`.
+//!
+//! `R_aa` is the exact response at Ω of the entry that works with the load, less the sum of its listed modes and of their residual compliance, which is `ρ_aa`: two numbers of a
+//! response at rest and one at Ω. Of an internal force b_n grows with ω_n² and `ρ_bb` is infinite, `R_bb` is not.
+//!
+//! In time a mode that a step sets off vibrates freely from its static value: it is at most that value away, whatever its ratio is. Under straight lines of a new slope each it
+//! is away by at most `(1 + 2ζ)/ω_n` of the static value of the slope.
+
+use crate::answer::modal::response::{ModalResponse, Superposed};
+use crate::answer::root::Root;
+use crate::model::{MotionError, TruncationError};
+use crate::number::{Real, RealFrequency};
+use num_complex::Complex;
+
+/// Roundings of a response and of a sum of modes that a difference of both may have.
+const ROUNDINGS: f64 = 64.0;
+
+/// A bound for what a sum over modes leaves out, in frequency and in time.
+///
+/// It holds for all frequencies up to the reach, and it is attained: for the entry that works with the load itself, at the reach. It bounds what modes that are not in the list
+/// do; rounding of the listed ones is beside it.
+///
+/// ```
+/// use mstmm_core::frame::{Frame, Section};
+/// use mstmm_core::search::NaturalFrequencies;
+/// use mstmm_core::{FrameAnalysis, Support};
+///
+/// let mut frame = Frame::new();
+/// let [foot, tip] = [0.0, 2.0].map(|place| frame.point(place));
+/// frame.hold(foot, Support::Fixed);
+/// let beam = frame.member(foot, tip, Section::new().bending_stiffness(8.0).mass_per_length(1.5));
+/// let cantilever = frame.build()?;
+/// let roots = cantilever.frequencies(4)?;
+/// let reach = 0.9 * roots[3].omega;
+///
+/// let (load, entry) = (tip.force_y(), beam.input().moment());
+/// let sum = cantilever.modal_response::<3, _>(&roots[..3], load, entry)?;
+/// let exact = cantilever.frequency_response(load, entry)?;
+/// let truncation = cantilever.truncation::<3, _>(&roots[..3], load, entry, reach)?;
+/// for part in [0.1, 0.5, 1.0] {
+///     let omega = part * reach;
+///     assert!((sum.at(omega)? - exact.at(omega)?).abs() <= truncation.at(omega));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Truncation<T> {
+    reach: T,
+    load: Side<T>,
+    entry: Side<T>,
+}
+
+/// What the modes that are not in the list have of a load, or of an entry.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side<T> {
+    /// R, at the reach.
+    at_reach: T,
+    /// ρ, at rest; none where it is infinite.
+    at_rest: Option<T>,
+}
+
+/// How much a record varies: what bounds of histories need of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Variation<T> {
+    /// The first sample, by its size.
+    pub first: T,
+    /// The sum of all changes from sample to sample.
+    pub total: T,
+    /// The sum of all changes of the slope between samples, that of the begin among them.
+    pub of_slope: T,
+}
+
+impl<T: Real> Side<T> {
+    /// The side of a load and of the entry that works with it. Of an internal force no limit at rest is finite.
+    pub(crate) fn new<'r, const N: usize, R>(
+        source: &impl Superposed<T, R>,
+        roots: impl IntoIterator<Item = &'r R>,
+        reach: T,
+        is_force: bool,
+    ) -> Result<Self, MotionError>
+    where
+        R: Root<T, Frequency = T> + 'r,
+    {
+        let modes = ModalResponse::<T, N, RealFrequency>::new(source, roots)?;
+        let whole = source.exactly(reach)?;
+        let (sum, size) = modes.sum_at(Complex::new(T::zero(), reach));
+        let away = modes.away() / (reach * reach);
+        let at_rest = modes.terms.iter().fold(modes.residual.size(), |sum, term| sum + term.at_rest().size());
+        let left = |value: T, size: f64| {
+            let noise = T::from_f64(ROUNDINGS * T::EPSILON * size);
+            if value > T::zero() { value + noise } else { noise }
+        };
+        let at_reach = whole - (sum.re + modes.residual - away);
+        Ok(Side {
+            at_reach: left(at_reach, at_rest + whole.size() + size + away.size()),
+            at_rest: (!is_force).then(|| left(modes.residual, at_rest)),
+        })
+    }
+
+    /// `Σ a_n²/(ω_n² - Ω²)`.
+    fn within_reach(&self) -> Option<T> {
+        self.at_rest.map(|at_rest| at_rest + self.at_reach)
+    }
+}
+
+impl<T: Real> Truncation<T> {
+    pub(crate) fn new(reach: T, load: Side<T>, entry: Side<T>) -> Self {
+        Truncation { reach, load, entry }
+    }
+
+    /// The largest error of the sum at a frequency ω [rad/s], without damping; infinite beyond the reach.
+    pub fn at(&self, omega: T) -> T {
+        let part = omega / self.reach;
+        let square = part * part;
+        // beyond the reach, or no number
+        if square > T::one() || !square.size().is_finite() {
+            return T::from_f64(f64::INFINITY);
+        }
+        let by_reach = square * (self.load.at_reach * self.entry.at_reach).sqrt();
+        match self.at_rest() {
+            Some(at_rest) if square < T::one() => {
+                let by_rest = square / (T::one() - square) * at_rest;
+                if by_rest < by_reach { by_rest } else { by_reach }
+            }
+            _ => by_reach,
+        }
+    }
+
+    /// The largest error of the sum at a frequency ω [rad/s] where the modes that are not in the list have damping ratios up to `ratio`; none for an internal force under a
+    /// dislocation.
+    pub fn at_with_ratio(&self, omega: T, ratio: T) -> Option<T> {
+        let drag = (ratio + ratio) * omega / self.reach;
+        let mixed = |whole: Option<T>, other: T| whole.map(|whole| (whole * other).sqrt());
+        let by_load = mixed(self.load.within_reach(), self.entry.at_reach);
+        let by_entry = mixed(self.entry.within_reach(), self.load.at_reach);
+        Some(self.at(omega) + drag * smaller(by_load, by_entry)?)
+    }
+
+    /// The largest error of [`to_step`](ModalResponse::to_step) at any time, for any damping ratios; none for internal forces.
+    pub fn after_step(&self) -> Option<T> {
+        self.at_rest()
+    }
+
+    /// The largest error of a history at any time, for damping ratios up to `ratio` of the modes that are not in the list; none for internal forces under a record that begins with
+    /// a jump.
+    pub fn over(&self, variation: Variation<T>, ratio: T) -> Option<T> {
+        let lag = (T::one() + ratio + ratio) / self.reach * variation.of_slope;
+        match self.at_rest() {
+            Some(at_rest) => {
+                let changes = if lag < variation.total { lag } else { variation.total };
+                Some(at_rest * (variation.first + changes))
+            }
+            None if variation.first.is_zero() => {
+                let by_load = self.load.at_rest.map(|at_rest| (at_rest * self.entry.at_reach).sqrt());
+                let by_entry = self.entry.at_rest.map(|at_rest| (at_rest * self.load.at_reach).sqrt());
+                Some(smaller(by_load, by_entry)? / self.reach * (T::one() + ratio + ratio) * variation.of_slope)
+            }
+            None => None,
+        }
+    }
+
+    /// `√(ρ_aa ρ_bb)`.
+    fn at_rest(&self) -> Option<T> {
+        Some((self.load.at_rest? * self.entry.at_rest?).sqrt())
+    }
+}
+
+impl<T: Real> Variation<T> {
+    /// The variation of a record in steps of `dt` \[s\], along straight lines between its samples.
+    pub fn of(record: &[T], dt: T) -> Self {
+        let first = record.first().map_or_else(T::zero, |sample| sample.abs());
+        let (mut total, mut of_slope, mut before) = (T::zero(), T::zero(), T::zero());
+        for pair in record.windows(2) {
+            let change = pair[1] - pair[0];
+            total += change.abs();
+            of_slope += ((change - before) / dt).abs();
+            before = change;
+        }
+        Variation { first, total, of_slope }
+    }
+}
+
+/// The smaller one of two bounds that may not be there.
+fn smaller<T: Real>(one: Option<T>, other: Option<T>) -> Option<T> {
+    match (one, other) {
+        (Some(one), Some(other)) => Some(if one < other { one } else { other }),
+        (one, other) => one.or(other),
+    }
+}
+
+/// Whether a list has all modes below a reach.
+pub(crate) fn check_list<'r, T: Real, R: Root<T> + 'r>(
+    counted: u64,
+    roots: impl IntoIterator<Item = &'r R>,
+) -> Result<(), TruncationError> {
+    let listed = roots.into_iter().map(Root::multiplicity).sum();
+    if counted == listed { Ok(()) } else { Err(TruncationError::Missing { counted, listed }) }
+}

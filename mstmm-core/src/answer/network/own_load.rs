@@ -1,0 +1,128 @@
+//! A load along members and its own work: what bounds of sums over modes ask of it.
+
+use crate::answer::at_rest::Part;
+use crate::answer::modal::response::{Facts, Products, Superposed};
+use crate::answer::network::of_frame::WorkOnFrame;
+use crate::answer::network::response::PlaneResponse;
+use crate::answer::network::states::PlaneStates;
+use crate::answer::root::Root;
+use crate::element::{MemberEnds, MemberMotion, VisitMember};
+use crate::model::{MotionError, PlaneEntry, PlaneLoad};
+use crate::number::gauss::integrals;
+use crate::number::{Oscillation, Real, Scalar};
+use crate::pass::characteristic::System;
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
+use core::marker::PhantomData;
+use num_traits::Zero;
+
+/// A load along members, with its work on the motion under it.
+pub(super) struct OwnLoad<'a, Y: Placed> {
+    work: WorkOnFrame<'a, Y>,
+    /// The response of any entry: the motion under the load is the same.
+    response: PlaneResponse<'a, Y>,
+}
+
+impl<'a, Y: Placed> OwnLoad<'a, Y> {
+    pub(super) fn new(
+        system: &'a Y,
+        load: PlaneLoad<Y::Model>,
+        entry: PlaneEntry<Y::Model>,
+    ) -> Result<Self, MotionError> {
+        Ok(OwnLoad { work: WorkOnFrame { system, load }, response: PlaneResponse::new(system, load, entry)? })
+    }
+}
+
+impl<T, R, Y> Products<T, R> for OwnLoad<'_, Y>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        self.work.for_each_product::<CAP>(root, &mut |work| add(work * work))
+    }
+}
+
+impl<T, R, Y> Superposed<T, R> for OwnLoad<'_, Y>
+where
+    T: Real,
+    R: Root<T, Frequency: PlaneFrequency<T>>,
+    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
+{
+    /// Of what floats there is no limit: integrals along members have too many waves where it is sought.
+    fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
+        self.response.states(R::Frequency::zero())?.own_work().map(Some)
+    }
+
+    fn exactly(&self, x: R::Frequency) -> Result<R::Frequency, MotionError> {
+        self.response.states(x)?.own_work()
+    }
+
+    fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
+        let value = self.response.states(x)?.own_work()?;
+        Ok(Part::new(value, value.size()))
+    }
+
+    fn lowest_exponent(&self) -> i32 {
+        self.response.lowest_exponent()
+    }
+
+    fn facts(&self) -> Facts<T> {
+        Facts::default()
+    }
+
+    fn has_loss(&self) -> bool {
+        self.work.system.frequency_estimates().has_loss()
+    }
+}
+
+impl<Y, S> PlaneStates<'_, Y, S>
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    /// The work of a load along members on the motion under it, by integrals along all of them.
+    fn own_work(&self) -> Result<S, MotionError> {
+        let Some(load) = self.load else { return Ok(S::zero()) };
+        let [nodes, members] = self.system.sizes();
+        let mut work = S::zero();
+        for node in 0..nodes {
+            let forces = load.on_node(self.system, node).into_iter().flatten();
+            for (force, displacement) in forces.zip(self.all_of(node)?) {
+                work += force * displacement;
+            }
+        }
+        for member in 0..members {
+            if let Some(load) = self.load_on(member) {
+                let own = OwnWork::<Y::Parameter, S> { ends: self.member_ends(member), load, numbers: PhantomData };
+                work += self.system.visit_member(member, own).unwrap_or_default();
+            }
+        }
+        Ok(work)
+    }
+}
+
+/// The work of a load along a member and across it on the motion under it.
+struct OwnWork<T, S> {
+    ends: MemberEnds<S>,
+    load: [S; 2],
+    numbers: PhantomData<fn() -> T>,
+}
+
+impl<T: Real, S: Oscillation<T>> VisitMember<S> for OwnWork<T, S> {
+    type Output = S;
+
+    fn member<E: MemberMotion<S>>(self, built: &E::Built) -> S {
+        let OwnWork { ends, load: load @ [along, across], .. } = self;
+        let Some(inside) = E::inside(built, ends.x) else { return S::zero() };
+        let [work] = integrals(T::from_f64(inside.length), inside.wave_number * inside.length, |distance: T| {
+            let [x, y, _] = E::motion_under_load(built, &ends, load, distance.to_f64()).displacements;
+            [x * along + y * across]
+        });
+        work
+    }
+}
