@@ -35,8 +35,14 @@ pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
 pub use answer::modal::exact::ExactResponse;
 pub use answer::modal::history::{EntryMotion, ForceHistory};
+#[cfg(feature = "std")]
+pub use answer::modal::oscillator::record_spectrum;
+pub use answer::modal::oscillator::{OscillatorPeak, oscillator_peak};
 pub use answer::modal::participation::{Participation, ParticipationFactor};
 pub use answer::modal::response::ModalResponse;
+pub use answer::modal::spectrum::{
+    Combination, Directions, PeakOfMode, ResponseSpectrum, SpectralPeak, SpectrumTable, combined,
+};
 pub use answer::modal::truncation::{Truncation, Variation};
 pub use answer::mode_shape::{ModeShape, ShapeList};
 pub use answer::network::geometry::geometry_slopes;
@@ -88,6 +94,7 @@ pub use model::motion_error::MotionError;
 pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
 pub use model::search_error::{SearchError, Spot};
 pub use model::space_point::{InSpace, SpacePoint};
+pub use model::spectrum_error::SpectrumError;
 pub use model::speed_error::SpeedError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use model::truncation_error::TruncationError;

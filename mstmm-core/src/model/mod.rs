@@ -18,6 +18,7 @@ pub(crate) mod plane_label;
 pub(crate) mod scaled_state;
 pub(crate) mod search_error;
 pub(crate) mod space_point;
+pub(crate) mod spectrum_error;
 pub(crate) mod speed_error;
 pub(crate) mod state;
 pub(crate) mod tensor;
@@ -43,6 +44,7 @@ pub(crate) use plane_label::{
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use search_error::{SearchError, Spot};
 pub(crate) use space_point::{InSpace, SpacePoint};
+pub(crate) use spectrum_error::SpectrumError;
 pub(crate) use speed_error::SpeedError;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub(crate) use tensor::{Tensor, definite, least_moment};

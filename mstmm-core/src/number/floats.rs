@@ -90,6 +90,12 @@ pub(crate) fn argument(re: f64, im: f64) -> f64 {
     elementary!(f64::atan2, libm::atan2, im, re)
 }
 
+/// Natural logarithm of a positive number.
+#[inline]
+pub(crate) fn logarithm(x: f64) -> f64 {
+    elementary!(f64::ln, libm::log, x)
+}
+
 /// Implements the real scalars for a primitive type, given its functions in `libm`.
 macro_rules! real {
     ($type:ty, $extended:ty, $complex:ty, $terms:literal, $limit:literal, $sqrt:path, $sin:path, $cos:path, $sinh:path, $cosh:path, $exp:path $(, { $($exact:item)* } { $($kernel:item)* })?) => {

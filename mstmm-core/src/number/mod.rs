@@ -44,7 +44,7 @@ pub(crate) use dual::Dual;
 pub(crate) use exponent::{binary_exponent, power_of_two};
 pub(crate) use exponentials::{exponential, phi_1, phi_2};
 pub(crate) use fixed_list::{List, sort_by};
-pub(crate) use floats::{argument, elementary};
+pub(crate) use floats::{argument, elementary, logarithm};
 pub(crate) use frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, Oscillation, Parameter, Real, RealFrequency, larger,
     modulus, smaller,

@@ -13,6 +13,10 @@ struct Certificates;
 struct Damping;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/earthquake.md")]
+struct Earthquake;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/finite_elements.md")]
 struct FiniteElements;
 
