@@ -4,7 +4,9 @@
 use crate::models::{Cantilever, Portal, assert_close, number, reference};
 use mstmm::elements::Spring;
 use mstmm::elements::TorsionSpring;
-use mstmm::frame::{Frame, Hold, Pin, Plane, Point, PointMass, RigidBody, Roller, Section, Slider, Space, Tensor};
+use mstmm::frame::{
+    Frame, Hinge, Hold, Pin, Plane, Point, PointMass, RigidBody, Roller, Section, Slider, Space, Tensor,
+};
 use mstmm::motion::MotionError;
 use mstmm::network::{Freedoms, Support};
 use mstmm::prelude::*;
@@ -157,6 +159,37 @@ fn bodies_that_joints_tie_move_together() {
         }
         assert_all_moves(name, &frame.build().unwrap(), modes);
     }
+}
+
+/// A body that slides along another one, which a support holds along the slide: what both share is eliminated last.
+#[test]
+fn bodies_that_slide_along_a_held_one_move_in_part() {
+    let mut frame = Frame::new();
+    let [at, slid, ground] = [[0.0, 0.0], [0.0, 0.0], [2.0, 0.5]].map(|place| frame.point(place));
+    frame.body([at], RigidBody { mass: 3.0, inertia: 0.7, centre: [0.6, 0.3] });
+    frame.body([slid], RigidBody { mass: 1.5, inertia: 0.2, centre: [-0.2, 0.8] });
+    frame.member(at.along([1.0, 0.0]), slid.along([1.0, 0.0]), Slider);
+    frame.hold(at, Freedoms::X);
+    frame.hold(ground, Support::Fixed);
+    springs(&mut frame, slid, ground, 40.0);
+    springs(&mut frame, at, ground, 50.0);
+    frame.member(at, ground, TorsionSpring { stiffness: 4.0 });
+    assert_all_moves("sliding", &frame.build().unwrap(), 3);
+
+    // both are held along x and turn together, each with its mass beside the point where it is held
+    let mut frame = Frame::new();
+    let [at, beside, ground] = [[0.0, 0.0], [0.0, 0.0], [2.0, 0.5]].map(|place| frame.point(place));
+    frame.body([at], RigidBody { mass: 3.0, inertia: 0.7, centre: [0.6, 0.3] });
+    frame.body([beside], RigidBody { mass: 1.5, inertia: 0.2, centre: [-0.2, 0.8] });
+    frame.member(at, beside, Hinge::new().stiffness_x(9.0).stiffness_y(7.0));
+    for point in [at, beside] {
+        frame.hold(point, Freedoms::X);
+    }
+    frame.hold(ground, Support::Fixed);
+    springs(&mut frame, beside, ground, 40.0);
+    springs(&mut frame, at, ground, 50.0);
+    frame.member(at, ground, TorsionSpring { stiffness: 4.0 });
+    assert_all_moves("turning together", &frame.build().unwrap(), 3);
 }
 
 /// A joint that ties a motion of a body to a support in part: how much moves is refused, not guessed; what nothing holds is known.

@@ -85,11 +85,8 @@ where
                     }
                 }
             }
-            Step::Connection(inputs) => {
-                let joined = inputs.iter().fold(Cluster::none(), |sum, input| sum.and(clusters[*input]));
-                let turns = scheme.behind(index).contains(Freedoms::RZ);
-                Cluster { has_hinge: joined.has_hinge || !turns, ..joined }
-            }
+            // rotations of all paths are one there
+            Step::Connection(inputs) => inputs.iter().fold(Cluster::none(), |sum, input| sum.and(clusters[*input])),
             Step::Root(input, support) => {
                 let end = Cluster { held: support.holds(), ..Cluster::none() };
                 total += known(&clusters[input].and(end))?;
