@@ -98,7 +98,7 @@ impl<T: Real, const N: usize> ForceHistory<T, N> {
     /// Takes the next sample of the force [N or N m] and gives the entry at its time; the first is that of t = 0, where the
     /// system is at rest.
     pub fn next(&mut self, force: T) -> T {
-        let slope = self.slope(force);
+        let slope = if self.flow.is_zero() { T::zero() } else { self.slope(force) };
         self.step(force);
         self.value(force, slope)
     }
