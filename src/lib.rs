@@ -36,7 +36,10 @@
 //! | the same in vectors, where numbers are known when the program runs | [`frequencies`], [`frequencies_in`], [`eigenvalues_in`] |
 //! | the shape of a mode: states anywhere, nodes, energies | [`mode_shape`], [`mode_shapes`] |
 //! | the response to a harmonic load, at rest too, on grids and curves | [`frequency_response`] |
-//! | the response in time to an impulse, a step, a history of forces | [`modal_response`] |
+//! | the response in time to an impulse, a step, a history of forces or of the ground, with rates | [`modal_response`] |
+//! | how much of the mass each mode takes with it | [`participation`](motion::ModalAnalysis::participation) |
+//! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
+//! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |
 //! | the first n natural frequencies of many models | [`Sweep::first_frequencies`](search::Sweep::first_frequencies) |
 //! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
