@@ -41,6 +41,7 @@
 //! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
 //! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |
+//! | the exact ranges of all frequencies over a box of tolerances | [`ToleranceBox`](search::ToleranceBox) |
 //! | the first n natural frequencies of many models | [`Sweep::first_frequencies`](search::Sweep::first_frequencies) |
 //! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
@@ -148,7 +149,7 @@ pub mod search {
     pub use mstmm_core::search::*;
     pub use mstmm_core::{
         Characteristic, Evaluate, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Rotor, SearchError,
-        SpeedError, Spinning, Spot, System, Whirl,
+        SpeedError, Spinning, Spot, System, ToleranceError, Whirl,
     };
 }
 

@@ -22,6 +22,7 @@ pub(crate) mod spectrum_error;
 pub(crate) mod speed_error;
 pub(crate) mod state;
 pub(crate) mod tensor;
+pub(crate) mod tolerance_error;
 pub(crate) mod truncation_error;
 pub(crate) mod turns;
 
@@ -48,4 +49,5 @@ pub(crate) use spectrum_error::SpectrumError;
 pub(crate) use speed_error::SpeedError;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub(crate) use tensor::{Tensor, definite, least_moment};
+pub(crate) use tolerance_error::ToleranceError;
 pub(crate) use truncation_error::TruncationError;

@@ -109,7 +109,7 @@ impl Visitor for Known<'_> {
 }
 
 /// A node of a frame in numbers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NodeNumbers {
     /// Its index.
     pub index: usize,
@@ -122,7 +122,7 @@ pub struct NodeNumbers {
 }
 
 /// The end of a member in numbers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberEnd {
     /// Its node.
     pub node: NodeNumbers,

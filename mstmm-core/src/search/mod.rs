@@ -29,3 +29,4 @@ pub use stability_threshold::{Threshold, stability_threshold};
 pub use undamped::found::{FrequencyList, NaturalFrequency};
 pub use undamped::natural::NaturalFrequencies;
 pub use undamped::sweep::{FirstFrequencies, Sweep, SweepError};
+pub use undamped::tolerance_box::{FrequencyRange, ToleranceBox};

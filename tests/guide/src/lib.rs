@@ -75,3 +75,7 @@ struct Rotors;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/space.md")]
 struct FramesInSpace;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/tolerances.md")]
+struct Tolerances;

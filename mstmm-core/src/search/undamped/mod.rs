@@ -1,6 +1,7 @@
 //! Natural frequencies of undamped systems: proposed by searches that nobody has to trust, and proven.
 
 pub(crate) mod approach;
+mod domination;
 pub(crate) mod found;
 pub(crate) mod in_step;
 mod interpolation;
@@ -12,3 +13,4 @@ pub(crate) mod proven;
 pub(crate) mod sampling;
 pub(crate) mod sweep;
 pub(crate) mod together;
+pub(crate) mod tolerance_box;

@@ -1,0 +1,140 @@
+//! Ranges of frequencies over all systems whose parameters lie between those of two.
+
+use crate::model::{SearchError, ToleranceError};
+use crate::number::{List, Parameter, Real, Scalar};
+use crate::pass::characteristic::System;
+use crate::pass::searched::Undamped;
+use crate::search::closed_range::ClosedRange;
+use crate::search::undamped::domination::check_domination;
+use crate::search::undamped::found::NaturalFrequency;
+use crate::search::undamped::natural::NaturalFrequencies;
+use core::ops::RangeInclusive;
+
+/// A box of tolerances between two systems: a soft and heavy one, and a stiff and light one.
+///
+/// Each frequency of a system whose parameters lie between those of both lies between their frequencies of the same number, and both ends are attained: two searches are exact
+/// for all corners of the box and for all that is between. Ranges are by number; modes may cross within them.
+///
+/// ```
+/// use mstmm_core::elements::Spring;
+/// use mstmm_core::frame::{Frame, Ground};
+/// use mstmm_core::search::ToleranceBox;
+///
+/// let oscillator = |stiffness: f64, mass: f64| {
+///     let mut frame = Frame::new();
+///     let point = frame.point(0.0);
+///     frame.member(point, Ground, Spring { stiffness });
+///     frame.mass(point, mass);
+///     frame.build()
+/// };
+/// // 100 N/m to 5 %, 4 kg to 2 %
+/// let lot = ToleranceBox::between(oscillator(95.0, 4.08)?, oscillator(105.0, 3.92)?)?;
+/// let range = lot.first_frequencies::<1>()?[0];
+/// assert!((range.lowest.omega - (95.0_f64 / 4.08).sqrt()).abs() < 1e-14);
+/// assert!((range.highest.omega - (105.0_f64 / 3.92).sqrt()).abs() < 1e-14);
+/// assert!(lot.is_free_of(5.2..=9.0)?);
+/// assert_eq!(lot.count_below(5.0)?, 0..=1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct ToleranceBox<Y> {
+    soft: Y,
+    stiff: Y,
+}
+
+/// The range of a frequency of one number over a box.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrequencyRange<T> {
+    /// That of the soft system.
+    pub lowest: NaturalFrequency<T>,
+    /// That of the stiff system.
+    pub highest: NaturalFrequency<T>,
+}
+
+impl<Y: System> ToleranceBox<Y> {
+    /// The box between two systems of one topology and one geometry. Stiffnesses, tensions, axial forces and foundations of the first one are at most those of the second one, masses
+    /// and inertias at least; a line without foundation may be longer. All else is the same in both.
+    ///
+    /// # Errors
+    /// [`ToleranceError`] for the first parameter that is not so.
+    pub fn between(soft: Y, stiff: Y) -> Result<Self, ToleranceError> {
+        check_domination(&soft, &stiff)?;
+        Ok(ToleranceBox { soft, stiff })
+    }
+
+    /// The soft system.
+    pub fn soft(&self) -> &Y {
+        &self.soft
+    }
+
+    /// The stiff system.
+    pub fn stiff(&self) -> &Y {
+        &self.stiff
+    }
+}
+
+impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
+    /// The ranges of the first `N` frequencies, each of a multiple one by itself.
+    ///
+    /// # Errors
+    /// [`ToleranceError::Search`] as [`first_frequencies`](NaturalFrequencies::first_frequencies) of both systems.
+    pub fn first_frequencies<const N: usize>(&self) -> Result<List<FrequencyRange<Y::Parameter>, N>, ToleranceError> {
+        let (soft, stiff) = (self.soft.first_frequencies::<N>()?, self.stiff.first_frequencies::<N>()?);
+        let mut ranges = List::new();
+        for number in 0..N as u64 {
+            if let (Some(lowest), Some(highest)) = (of_number(&soft, number), of_number(&stiff, number)) {
+                // there is room for N
+                let _ = ranges.push(FrequencyRange { lowest, highest });
+            }
+        }
+        Ok(ranges)
+    }
+
+    /// The ranges of the first `count` frequencies in a vector, as [`first_frequencies`](ToleranceBox::first_frequencies).
+    ///
+    /// # Errors
+    /// [`ToleranceError::Search`] as [`frequencies`](NaturalFrequencies::frequencies) of both systems.
+    #[cfg(feature = "std")]
+    pub fn frequencies(&self, count: usize) -> Result<std::vec::Vec<FrequencyRange<Y::Parameter>>, ToleranceError> {
+        let (soft, stiff) = (self.soft.frequencies(count)?, self.stiff.frequencies(count)?);
+        let range = |number: u64| {
+            Some(FrequencyRange { lowest: of_number(&soft, number)?, highest: of_number(&stiff, number)? })
+        };
+        Ok((0..count as u64).filter_map(range).collect())
+    }
+
+    /// How many frequencies a system of the box may have below ω [rad/s]: at least those of the stiff one, at most those of the soft one.
+    ///
+    /// # Errors
+    /// [`ToleranceError::Search`] as [`count_below`](NaturalFrequencies::count_below) of both systems.
+    pub fn count_below(&self, omega: Y::Parameter) -> Result<RangeInclusive<u64>, ToleranceError> {
+        Ok(self.stiff.count_below(omega)?..=self.soft.count_below(omega)?)
+    }
+
+    /// Whether no system of the box has a frequency in a range [rad/s]: the soft system has no more of them below its end than the stiff one has below its begin. Where it
+    /// is not free, there is a system in the box with a frequency there, or two of them that do not meet within.
+    ///
+    /// # Errors
+    /// [`ToleranceError::Search`] as [`count_below`](NaturalFrequencies::count_below) of both systems, and for a range that is empty, reversed or not finite.
+    pub fn is_free_of(&self, range: impl ClosedRange<Y::Parameter>) -> Result<bool, ToleranceError> {
+        let range = range.closed();
+        let (start, end) = (*range.start(), *range.end());
+        let is_range = start >= Y::Parameter::from_f64(0.0) && start <= end && end.to_f64().is_finite();
+        if !is_range {
+            return Err(SearchError::Range { start: start.to_f64(), end: end.to_f64() }.into());
+        }
+        Ok(self.soft.count_below(end)? == self.stiff.count_below(start)?)
+    }
+}
+
+/// The frequency of a number, from 0 on, in a list of roots with their multiplicities.
+fn of_number<T: Real>(roots: &[NaturalFrequency<T>], number: u64) -> Option<NaturalFrequency<T>> {
+    let mut left = number;
+    for root in roots {
+        if left < root.multiplicity {
+            return Some(*root);
+        }
+        left -= root.multiplicity;
+    }
+    None
+}
