@@ -169,3 +169,139 @@ fn ranges_of_frames_in_space_hold_all_between() {
     let moved = ToleranceBox::between(crane(|| -1.0, 0.0), crane(|| 1.0, 1e-9)).map(|_| ()).unwrap_err();
     assert!(matches!(moved, ToleranceError::NotAlike { .. }), "{moved}");
 }
+
+system! {
+    /// Elements of paths, each parameter by itself.
+    struct Each {
+        ei: f64, m: f64, kga: f64, inertia: f64, force: f64, foundation: f64, layer: f64, hinge: f64, taper_ei: f64, taper_m: f64, mass: f64,
+        body: f64, spring: f64, point: f64, tension: f64, string_m: f64, turn: f64, gj: f64, shaft_m: f64, string_l: f64, shaft_l: f64
+    }
+    fixed -> beam 1 {
+            length: 1.0, bending_stiffness: ei, mass_per_length: m, shear_stiffness: kga, rotary_inertia: inertia, axial_force: force,
+            foundation_stiffness: foundation, foundation_shear_stiffness: layer
+        } -> hinge 2 { stiffness_rz: hinge } -> tapered_beam 3 { length: 0.7, bending_stiffness: taper_ei, mass_per_length: taper_m, height_taper: 0.4 }
+        -> conn a -> body 4 { mass, inertia: body, output_x: 0.2, centre_x: 0.1 } -> conn b -> free;
+    fixed -> spring 5 { stiffness: spring } -> mass 6 { mass: point } -> spring 7 { stiffness: 5.0 } -> conn a;
+    fixed -> string 8 { length: string_l, tension, mass_per_length: string_m } -> conn b;
+    fixed -> torsion_spring 9 { stiffness: turn } -> conn b;
+    fixed -> shaft 10 { length: shaft_l, torsional_stiffness: gj, inertia_per_length: shaft_m } -> conn a;
+}
+
+/// Each parameter acts as the box takes it to act: by no more than its own change, in one way alone.
+#[test]
+fn each_parameter_acts_in_its_way() {
+    let names = [
+        "ei",
+        "m",
+        "kga",
+        "inertia",
+        "force",
+        "foundation",
+        "layer",
+        "hinge",
+        "taper_ei",
+        "taper_m",
+        "mass",
+        "body",
+        "spring",
+        "point",
+        "tension",
+        "string_m",
+        "turn",
+        "gj",
+        "shaft_m",
+        "string_l",
+        "shaft_l",
+    ];
+    let values =
+        [3.0, 1.0, 50.0, 0.05, 0.8, 0.9, 0.7, 2.0, 2.0, 0.8, 0.3, 0.05, 8.0, 0.4, 4.0, 0.3, 0.6, 0.5, 0.04, 0.9, 0.8];
+    let falls = ["m", "inertia", "taper_m", "mass", "body", "point", "string_m", "shaft_m", "string_l", "shaft_l"];
+    let of = |[
+        ei,
+        m,
+        kga,
+        inertia,
+        force,
+        foundation,
+        layer,
+        hinge,
+        taper_ei,
+        taper_m,
+        mass,
+        body,
+        spring,
+        point,
+        tension,
+        string_m,
+        turn,
+        gj,
+        shaft_m,
+        string_l,
+        shaft_l,
+    ]: [f64; 21]| {
+        Each {
+            ei,
+            m,
+            kga,
+            inertia,
+            force,
+            foundation,
+            layer,
+            hinge,
+            taper_ei,
+            taper_m,
+            mass,
+            body,
+            spring,
+            point,
+            tension,
+            string_m,
+            turn,
+            gj,
+            shaft_m,
+            string_l,
+            shaft_l,
+        }
+        .build()
+        .unwrap()
+    };
+    for (k, name) in names.into_iter().enumerate() {
+        let mut changed = values;
+        changed[k] *= if falls.contains(&name) { 1.1 } else { 0.9 };
+        let (soft, stiff) = (of(changed), of(values));
+        let lot = ToleranceBox::between(soft.clone(), stiff.clone()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let ranges = lot.first_frequencies::<10>().unwrap();
+        assert!(ranges.iter().all(|range| range.lowest.lower <= range.highest.upper), "{name}");
+        assert!(ranges.iter().any(|range| range.lowest.upper < range.highest.lower * (1.0 - 1e-6)), "{name}");
+        let refused = ToleranceBox::between(stiff, soft).map(|_| ()).unwrap_err();
+        assert!(matches!(refused, ToleranceError::NotOrdered { .. }), "{name}: {refused}");
+    }
+}
+
+/// A finite shear stiffness is softer than none, and the speed of a blade is the same in both.
+#[test]
+fn what_is_rigid_is_stiffest_and_blades_turn_alike() {
+    let lot =
+        ToleranceBox::between(Sheared { kga: 500.0 }.build().unwrap(), Sheared { kga: f64::INFINITY }.build().unwrap())
+            .unwrap();
+    assert!(lot.first_frequencies::<4>().unwrap().iter().all(|range| range.lowest.omega < range.highest.omega));
+    assert!(ToleranceBox::between(lot.stiff().clone(), lot.soft().clone()).is_err());
+    let blade = |m: f64, speed: f64| Blade { m, speed }.build().unwrap();
+    assert!(ToleranceBox::between(blade(1.1, 0.0), blade(1.0, 0.0)).is_ok());
+    for (soft, stiff, name) in
+        [(blade(1.1, 3.0), blade(1.0, 3.0), "mass_per_length"), (blade(1.0, 2.0), blade(1.0, 3.0), "rotation_speed")]
+    {
+        let refused = ToleranceBox::between(soft, stiff).map(|_| ()).unwrap_err();
+        assert!(matches!(refused, ToleranceError::NotOrdered { parameter, .. } if parameter == name), "{refused}");
+    }
+}
+
+system! {
+    struct Sheared { kga: f64 }
+    fixed -> beam 1 { length: 1.0, bending_stiffness: 3.0, mass_per_length: 1.0, shear_stiffness: kga } -> free
+}
+
+system! {
+    struct Blade { m: f64, speed: f64 }
+    fixed -> tapered_beam 1 { length: 1.0, bending_stiffness: 3.0, mass_per_length: m, height_taper: 0.4, rotation_speed: speed, hub_radius: 0.2, setting_angle: 0.3 } -> free
+}
