@@ -18,7 +18,7 @@ use crate::pass::characteristic::System;
 use crate::pass::drawn_tree::DrawnTree;
 use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
-use crate::search::{NaturalFrequencies, Undamped};
+use crate::search::{NaturalFrequency, Undamped};
 use mstmm_plan::Freedoms;
 
 /// The meaning of the frequencies of roots: [`RealFrequency`](crate::number::frequency::RealFrequency) or
@@ -175,24 +175,24 @@ pub trait ModalAnalysis: System {
     /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.
     ///
     /// # Errors
-    /// [`TruncationError::Missing`] where a count proves that these are not all modes below the reach; [`TruncationError::Spread`] for a load along elements, or a weight; else as
-    /// [`count_below`](NaturalFrequencies::count_below) and [`modal_response`](ModalAnalysis::modal_response).
-    fn truncation<'r, const N: usize, R>(
+    /// [`TruncationError::Missing`] where these are not all modes below the reach, from the first one on in order, as a count proves it; [`TruncationError::Reach`] for a
+    /// reach that is not positive; [`MotionError::Resonance`] for one at a root of the list; [`TruncationError::Spread`] for a load along elements, or a weight; else as
+    /// [`count_below`](crate::search::NaturalFrequencies::count_below) and [`modal_response`](ModalAnalysis::modal_response).
+    fn truncation<'r, const N: usize>(
         &self,
-        roots: impl IntoIterator<Item = &'r R> + Clone,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<<Self as System>::Parameter>> + Clone,
         load: Load<<Self as Planned>::Model>,
         entry: Entry<<Self as Planned>::Model>,
         reach: <Self as System>::Parameter,
     ) -> Result<Truncation<<Self as System>::Parameter>, TruncationError>
     where
-        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
-        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter>,
+        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter> + 'r,
         Self: ExtendedTree<<Self as System>::Parameter> + Undamped + Sized,
     {
-        check_list(self.count_below(reach)?, roots.clone())?;
+        check_list(self, roots.clone(), reach)?;
         let own = load.dual().ok_or(TruncationError::Spread)?;
-        let load = OfTree::new(self, load, own)?.side::<N, R>(roots.clone(), reach)?;
-        let entry = OfTree::new(self, entry.dual(), entry)?.side::<N, R>(roots, reach)?;
+        let load = OfTree::new(self, load, own)?.side::<N>(roots.clone(), reach)?;
+        let entry = OfTree::new(self, entry.dual(), entry)?.side::<N>(roots, reach)?;
         Ok(Truncation::new(reach, load, entry))
     }
 

@@ -13,7 +13,7 @@ pub enum SpectrumError {
         /// The row, from 0 on.
         row: usize,
     },
-    /// A row of a table, or an answer of a spectrum, whose acceleration is negative, not finite, or zero on logarithmic scales.
+    /// A row of a table whose acceleration is not positive, or an answer of a spectrum that is negative or not finite.
     Acceleration {
         /// The acceleration [m/s²].
         acceleration: f64,
@@ -32,12 +32,19 @@ pub enum SpectrumError {
         /// Its damping ratio.
         ratio: f64,
     },
-    /// An oscillator with more than a million vibrations in a step of a record: it moves as what is rigid.
+    /// An oscillator with more than a million vibrations in a record: it moves as what is rigid.
     Stiff {
         /// Its frequency [rad/s].
         omega: f64,
-        /// The step \[s\].
-        step: f64,
+        /// The vibrations.
+        vibrations: f64,
+    },
+    /// An oscillator whose motion overflows.
+    Overflow {
+        /// Its frequency [rad/s].
+        omega: f64,
+        /// The time \[s\].
+        time: f64,
     },
     /// A step of time that is not positive or not finite.
     TimeStep {
@@ -56,12 +63,15 @@ impl fmt::Display for SpectrumError {
         match *self {
             SpectrumError::Empty => write!(f, "the table has no rows"),
             SpectrumError::Order { row } => {
-                write!(f, "frequencies or periods have to be positive and to grow from row to row: row {row} does not")
+                write!(
+                    f,
+                    "frequencies or periods have to be positive and to grow from row to row: row {row} does not; for a period of zero write a short one"
+                )
             }
             SpectrumError::Acceleration { acceleration } => {
                 write!(
                     f,
-                    "a spectral acceleration of {acceleration} m/s² is none: on logarithmic scales it has to be positive, else at least zero"
+                    "a spectral acceleration of {acceleration} m/s² is none: in a table it has to be positive and finite"
                 )
             }
             SpectrumError::NotRelative => {
@@ -82,11 +92,14 @@ impl fmt::Display for SpectrumError {
                     "an oscillator needs a positive frequency and a damping ratio from 0 to below 1, not {omega} rad/s and {ratio}"
                 )
             }
-            SpectrumError::Stiff { omega, step } => {
+            SpectrumError::Stiff { omega, vibrations } => {
                 write!(
                     f,
-                    "an oscillator of {omega} rad/s vibrates more than a million times in a step of {step} s: it moves as what is rigid"
+                    "an oscillator of {omega} rad/s vibrates {vibrations:.1e} times in the record: beyond a million it moves as what is rigid"
                 )
+            }
+            SpectrumError::Overflow { omega, time } => {
+                write!(f, "the motion of an oscillator of {omega} rad/s overflows at {time} s")
             }
             SpectrumError::TimeStep { step } => {
                 write!(f, "a step of {step} s is none: it has to be positive and finite")

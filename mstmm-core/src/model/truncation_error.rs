@@ -8,12 +8,17 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TruncationError {
-    /// The list has not all modes below the reach, or others.
+    /// The list has not all modes below the reach, one after the other, or it has more.
     Missing {
         /// The number of modes below the reach, as it is proven.
         counted: u64,
-        /// The number of modes in the list.
+        /// The number of modes of the list up to the first gap in its indices.
         listed: u64,
+    },
+    /// A reach that is not positive or not finite.
+    Reach {
+        /// The reach [rad/s].
+        reach: f64,
     },
     /// A weight along a path, under which its motion inside of elements is not known. Give the points of the model places.
     Spread,
@@ -41,8 +46,11 @@ impl fmt::Display for TruncationError {
             TruncationError::Missing { counted, listed } => {
                 write!(
                     f,
-                    "the system has {counted} modes below the reach, and the list has {listed}: list all of them, and no other"
+                    "the system has {counted} modes below the reach, and the list has {listed} of them in order: list all of them from the first one on, and no other"
                 )
+            }
+            TruncationError::Reach { reach } => {
+                write!(f, "a reach of {reach} rad/s is none: it has to be positive and finite")
             }
             TruncationError::Spread => {
                 write!(

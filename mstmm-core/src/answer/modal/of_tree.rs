@@ -13,6 +13,7 @@ use crate::pass::characteristic::System;
 use crate::pass::in_proportion::Obstacles;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
+use crate::search::NaturalFrequency;
 use mstmm_plan::Coordinate;
 
 /// The response of a tree.
@@ -36,17 +37,16 @@ impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     }
 
     /// What bounds of truncation need of a load whose entry works with it.
-    pub(crate) fn side<'r, const N: usize, R>(
+    pub(crate) fn side<'r, const N: usize>(
         &self,
-        roots: impl IntoIterator<Item = &'r R>,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<Y::Parameter>> + Clone,
         reach: Y::Parameter,
     ) -> Result<Side<Y::Parameter>, MotionError>
     where
-        R: Root<Y::Parameter, Frequency = Y::Parameter> + 'r,
         Y: ExtendedTree<<Y as System>::Parameter> + Sized,
-        Y::Parameter: Oscillation<<Y as System>::Parameter>,
+        Y::Parameter: Oscillation<<Y as System>::Parameter> + 'r,
     {
-        Side::new::<N, R>(self, roots, reach, self.entry.coordinate.is_force())
+        Side::new::<N>(self, roots, reach, self.entry.coordinate.is_force())
     }
 
     /// `φ φ` of a shape: what the load works on it, times the entry.

@@ -148,7 +148,7 @@ pub struct SpectralPeak<T, const N: usize> {
 pub struct PeakOfMode<T> {
     /// The place of the root in the list.
     pub root: usize,
-    /// Its frequency [rad/s] and its damping ratio.
+    /// Its frequency [rad/s].
     pub omega: T,
     /// Its damping ratio.
     pub ratio: T,
@@ -158,7 +158,8 @@ pub struct PeakOfMode<T> {
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// The peak of the response by a spectrum of the ground: of each root the static part times the spectral acceleration, of several shapes together. What is not
-    /// in the list moves as what is rigid does.
+    /// in the list moves as what is rigid does. A response without damping asks the spectrum for a ratio of zero, and its modes have no correlation; of complex modes, of dashpots, the
+    /// static parts count alone.
     ///
     /// # Errors
     /// [`SpectrumError::NotRelative`] for another load than `base_acceleration`, for `absolute` and for a rate; [`SpectrumError::NoVibration`] for a rigid body and for what is

@@ -14,10 +14,11 @@
 //! is away by at most `(1 + 2ζ)/ω_n` of the static value of the slope.
 
 use crate::answer::modal::response::{ModalResponse, Superposed};
-use crate::answer::root::Root;
 use crate::model::{MotionError, TruncationError};
-use crate::number::{Real, RealFrequency};
+use crate::number::{Oscillation, Parameter, Real, RealFrequency, Scalar};
+use crate::search::{NaturalFrequencies, NaturalFrequency, Undamped};
 use num_complex::Complex;
+use num_traits::Zero;
 
 /// Roundings of a response and of a sum of modes that a difference of both may have.
 const ROUNDINGS: f64 = 64.0;
@@ -43,7 +44,7 @@ const ROUNDINGS: f64 = 64.0;
 /// let (load, entry) = (tip.force_y(), beam.input().moment());
 /// let sum = cantilever.modal_response::<3, _>(&roots[..3], load, entry)?;
 /// let exact = cantilever.frequency_response(load, entry)?;
-/// let truncation = cantilever.truncation::<3, _>(&roots[..3], load, entry, reach)?;
+/// let truncation = cantilever.truncation::<3>(&roots[..3], load, entry, reach)?;
 /// for part in [0.1, 0.5, 1.0] {
 ///     let omega = part * reach;
 ///     assert!((sum.at(omega)? - exact.at(omega)?).abs() <= truncation.at(omega));
@@ -79,29 +80,33 @@ pub struct Variation<T> {
 
 impl<T: Real> Side<T> {
     /// The side of a load and of the entry that works with it. Of an internal force no limit at rest is finite.
-    pub(crate) fn new<'r, const N: usize, R>(
-        source: &impl Superposed<T, R>,
-        roots: impl IntoIterator<Item = &'r R>,
+    pub(crate) fn new<'r, const N: usize>(
+        source: &impl Superposed<T, NaturalFrequency<T>>,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<T>> + Clone,
         reach: T,
         is_force: bool,
     ) -> Result<Self, MotionError>
     where
-        R: Root<T, Frequency = T> + 'r,
+        T: Oscillation<T> + 'r,
     {
-        let modes = ModalResponse::<T, N, RealFrequency>::new(source, roots)?;
+        let modes = ModalResponse::<T, N, RealFrequency>::new(source, roots.clone())?;
         let whole = source.exactly(reach)?;
         let (sum, size) = modes.sum_at(Complex::new(T::zero(), reach));
         let away = modes.away() / (reach * reach);
         let at_rest = modes.terms.iter().fold(modes.residual.size(), |sum, term| sum + term.at_rest().size());
-        let left = |value: T, size: f64| {
-            let noise = T::from_f64(ROUNDINGS * T::EPSILON * size);
+        let rounding = ROUNDINGS * T::EPSILON;
+        let left = |value: T, noise: f64| {
+            let noise = T::from_f64(noise);
             if value > T::zero() { value + noise } else { noise }
         };
         let at_reach = whole - (sum.re + modes.residual - away);
-        Ok(Side {
-            at_reach: left(at_reach, at_rest + whole.size() + size + away.size()),
-            at_rest: (!is_force).then(|| left(modes.residual, at_rest)),
-        })
+        let noise = rounding * (at_rest + whole.size() + size + away.size()) + of_roots(&modes, roots, reach);
+        let at_reach = left(at_reach, noise);
+        // at a root of the list, or where numbers overflow
+        if !at_reach.size().is_finite() {
+            return Err(MotionError::Resonance { frequency: reach.to_f64() });
+        }
+        Ok(Side { at_reach, at_rest: (!is_force).then(|| left(modes.residual, rounding * at_rest)) })
     }
 
     /// `Σ a_n²/(ω_n² - Ω²)`.
@@ -134,9 +139,12 @@ impl<T: Real> Truncation<T> {
     }
 
     /// The largest error of the sum at a frequency ω [rad/s] where the modes that are not in the list have damping ratios up to `ratio`; none for an internal force under a
-    /// dislocation.
+    /// dislocation, and for a negative ratio.
     pub fn at_with_ratio(&self, omega: T, ratio: T) -> Option<T> {
-        let drag = (ratio + ratio) * omega / self.reach;
+        if ratio < T::zero() || !ratio.size().is_finite() {
+            return None;
+        }
+        let drag = (ratio + ratio) * omega.abs() / self.reach;
         let mixed = |whole: Option<T>, other: T| whole.map(|whole| (whole * other).sqrt());
         let by_load = mixed(self.load.within_reach(), self.entry.at_reach);
         let by_entry = mixed(self.entry.within_reach(), self.load.at_reach);
@@ -151,19 +159,24 @@ impl<T: Real> Truncation<T> {
     /// The largest error of a history at any time, for damping ratios up to `ratio` of the modes that are not in the list; none for internal forces under a record that begins with
     /// a jump.
     pub fn over(&self, variation: Variation<T>, ratio: T) -> Option<T> {
+        if ratio < T::zero() {
+            return None;
+        }
         let lag = (T::one() + ratio + ratio) / self.reach * variation.of_slope;
-        match self.at_rest() {
+        let bound = match self.at_rest() {
             Some(at_rest) => {
                 let changes = if lag < variation.total { lag } else { variation.total };
-                Some(at_rest * (variation.first + changes))
+                at_rest * (variation.first + changes)
             }
             None if variation.first.is_zero() => {
                 let by_load = self.load.at_rest.map(|at_rest| (at_rest * self.entry.at_reach).sqrt());
                 let by_entry = self.entry.at_rest.map(|at_rest| (at_rest * self.load.at_reach).sqrt());
-                Some(smaller(by_load, by_entry)? / self.reach * (T::one() + ratio + ratio) * variation.of_slope)
+                smaller(by_load, by_entry)? * lag
             }
-            None => None,
-        }
+            None => return None,
+        };
+        // of samples that are no numbers there is none
+        (bound >= T::zero()).then_some(bound)
     }
 
     /// `√(ρ_aa ρ_bb)`.
@@ -173,14 +186,17 @@ impl<T: Real> Truncation<T> {
 }
 
 impl<T: Real> Variation<T> {
-    /// The variation of a record in steps of `dt` \[s\], along straight lines between its samples.
+    /// The variation of a record in steps of `dt` \[s\], along straight lines between its samples. Slopes over a step that is not positive are infinite.
     pub fn of(record: &[T], dt: T) -> Self {
+        let dt = if dt > T::zero() { dt } else { T::zero() };
         let first = record.first().map_or_else(T::zero, |sample| sample.abs());
         let (mut total, mut of_slope, mut before) = (T::zero(), T::zero(), T::zero());
         for pair in record.windows(2) {
             let change = pair[1] - pair[0];
             total += change.abs();
-            of_slope += ((change - before) / dt).abs();
+            if change != before {
+                of_slope += ((change - before) / dt).abs();
+            }
             before = change;
         }
         Variation { first, total, of_slope }
@@ -195,11 +211,40 @@ fn smaller<T: Real>(one: Option<T>, other: Option<T>) -> Option<T> {
     }
 }
 
-/// Whether a list has all modes below a reach.
-pub(crate) fn check_list<'r, T: Real, R: Root<T> + 'r>(
-    counted: u64,
-    roots: impl IntoIterator<Item = &'r R>,
-) -> Result<(), TruncationError> {
-    let listed = roots.into_iter().map(Root::multiplicity).sum();
+/// By how much listed modes may be wrong at a reach, as far as their roots are known to their intervals: `a²/(ω² - Ω²)` changes by `2ω/|ω² - Ω²|` of itself with ω.
+fn of_roots<'r, T: Real + 'r, const N: usize>(
+    modes: &ModalResponse<T, N, RealFrequency>,
+    roots: impl IntoIterator<Item = &'r NaturalFrequency<T>> + Clone,
+    reach: T,
+) -> f64 {
+    modes.terms.iter().fold(0.0, |sum, term| {
+        let Some(root) = roots.clone().into_iter().nth(term.root) else { return sum };
+        let apart = (root.omega - reach).size() * (root.omega + reach).size();
+        let known = (root.upper - root.lower).size() + 2.0 * T::EPSILON * root.omega.size();
+        let part = (term.residue * term.lambda).re.size() / apart;
+        sum + part * (2.0 * root.omega.size() * known / apart)
+    })
+}
+
+/// Checks a reach, and that a list has all modes below it, one after the other from the first one on.
+pub(crate) fn check_list<'r, Y>(
+    system: &Y,
+    roots: impl IntoIterator<Item = &'r NaturalFrequency<Y::Parameter>>,
+    reach: Y::Parameter,
+) -> Result<(), TruncationError>
+where
+    Y: NaturalFrequencies + Undamped,
+    Y::Parameter: 'r,
+{
+    if !(reach > Y::Parameter::zero() && reach.size().is_finite()) {
+        return Err(TruncationError::Reach { reach: reach.to_f64() });
+    }
+    let (counted, mut listed) = (system.count_below(reach)?, 0);
+    for root in roots {
+        if root.index != listed + 1 {
+            return Err(TruncationError::Missing { counted, listed });
+        }
+        listed += root.multiplicity;
+    }
     if counted == listed { Ok(()) } else { Err(TruncationError::Missing { counted, listed }) }
 }

@@ -11,6 +11,7 @@ use crate::number::Real;
 use crate::pass::characteristic::System;
 use crate::pass::in_proportion::Obstacles;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
+use crate::search::NaturalFrequency;
 use num_traits::Zero;
 
 /// The response of a plane structure.
@@ -40,17 +41,16 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
     }
 
     /// What bounds of truncation need of a load whose entry works with it.
-    pub(super) fn side<'r, const N: usize, R>(
+    pub(super) fn side<'r, const N: usize>(
         &self,
-        roots: impl IntoIterator<Item = &'r R>,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<Y::Parameter>> + Clone,
         reach: Y::Parameter,
     ) -> Result<Side<Y::Parameter>, MotionError>
     where
-        R: Root<Y::Parameter, Frequency = Y::Parameter> + 'r,
         Y: MovingNetwork<<Y as System>::Parameter>,
-        Y::Parameter: PlaneFrequency<<Y as System>::Parameter>,
+        Y::Parameter: PlaneFrequency<<Y as System>::Parameter> + 'r,
     {
-        Side::new::<N, R>(self, roots, reach, matches!(self.entry.quantity, Quantity::Internal { .. }))
+        Side::new::<N>(self, roots, reach, matches!(self.entry.quantity, Quantity::Internal { .. }))
     }
 
     /// `φ φ` of a shape: what the load works on it, times the entry. A motion works against the reactions of its support.

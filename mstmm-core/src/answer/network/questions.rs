@@ -16,7 +16,7 @@ use crate::answer::sensitivity::Sensitivities;
 use crate::model::{Direction, MotionError, PlaneEntry, PlaneLoad, TruncationError};
 use crate::pass::characteristic::System;
 use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency};
-use crate::search::{NaturalFrequencies, Undamped};
+use crate::search::{NaturalFrequency, Undamped};
 
 /// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
 pub trait FrameAnalysis: Placed + Sized {
@@ -144,32 +144,30 @@ pub trait FrameAnalysis: Placed + Sized {
     /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.
     ///
     /// # Errors
-    /// [`TruncationError::Missing`] where a count proves that these are not all modes below the reach; [`MotionError::NotModal`] for the motion of a support and for a reaction;
+    /// [`TruncationError::Missing`] where these are not all modes below the reach, from the first one on in order, as a count proves it; [`TruncationError::Reach`] for a
+    /// reach that is not positive; [`MotionError::Resonance`] for one at a root of the list; [`MotionError::NotModal`] for the motion of a support and for a reaction;
     /// [`MotionError::Resonance`] for a load along members of what floats; else as
-    /// [`count_below`](NaturalFrequencies::count_below) and [`modal_response`](FrameAnalysis::modal_response).
+    /// [`count_below`](crate::search::NaturalFrequencies::count_below) and [`modal_response`](FrameAnalysis::modal_response).
     #[inline(never)]
-    fn truncation<'r, const N: usize, R>(
+    fn truncation<'r, const N: usize>(
         &self,
-        roots: impl IntoIterator<Item = &'r R> + Clone,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<<Self as System>::Parameter>> + Clone,
         load: PlaneLoad<Self::Model>,
         entry: PlaneEntry<Self::Model>,
         reach: <Self as System>::Parameter,
     ) -> Result<Truncation<<Self as System>::Parameter>, TruncationError>
     where
-        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
-        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter>,
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter> + 'r,
         Self: MovingNetwork<<Self as System>::Parameter> + Undamped,
     {
-        check_list(self.count_below(reach)?, roots.clone())?;
+        check_list(self, roots.clone(), reach)?;
         let of_load = match load.dual() {
-            Some(own) => OfFrame::new(self, load, own)?.side::<N, R>(roots.clone(), reach)?,
-            None if load.is_spread() => {
-                Side::new::<N, R>(&OwnLoad::new(self, load, entry)?, roots.clone(), reach, false)?
-            }
+            Some(own) => OfFrame::new(self, load, own)?.side::<N>(roots.clone(), reach)?,
+            None if load.is_spread() => Side::new::<N>(&OwnLoad::new(self, load, entry)?, roots.clone(), reach, false)?,
             None => return Err(MotionError::NotModal.into()),
         };
         let own = entry.dual().ok_or(MotionError::NotModal)?;
-        let of_entry = OfFrame::new(self, own, entry)?.side::<N, R>(roots, reach)?;
+        let of_entry = OfFrame::new(self, own, entry)?.side::<N>(roots, reach)?;
         Ok(Truncation::new(reach, of_load, of_entry))
     }
 
