@@ -305,3 +305,37 @@ system! {
     struct Blade { m: f64, speed: f64 }
     fixed -> tapered_beam 1 { length: 1.0, bending_stiffness: 3.0, mass_per_length: m, height_taper: 0.4, rotation_speed: speed, hub_radius: 0.2, setting_angle: 0.3 } -> free
 }
+
+system! {
+    /// A shaft with a disc on two springs, whose stiffnesses and masses have tolerances.
+    #[derive(Clone, Copy)]
+    struct Spindle { up: f64, down: f64, speed: f64 }
+    free -> conn a -> beam 1 {
+            length: 0.5, bending_stiffness: 6.5e4 * up, mass_per_length: 15.3 * down, rotary_inertia: 2.4e-3 * down, polar_inertia_per_length: 4.8e-3, speed
+        } -> disc 2 { mass: 33.0 * down, inertia: 0.18 * down, polar_inertia: 0.32, speed }
+        -> beam 3 {
+            length: 1.0, bending_stiffness: 6.5e4 * up, mass_per_length: 15.3 * down, rotary_inertia: 2.4e-3 * down, polar_inertia_per_length: 4.8e-3, speed
+        } -> conn b -> free;
+    fixed -> spring 4 { stiffness: 1e6 * up } -> conn a;
+    fixed -> spring 5 { stiffness: 1e6 * up } -> conn b;
+}
+
+/// Each whirl of a rotor is a system like others; its speed and its polar inertia are the same in both.
+#[test]
+fn whirls_of_rotors_have_ranges() {
+    let of = |up: f64, down: f64, speed: f64| Spindle { up, down, speed }.build().unwrap();
+    let (soft, stiff) = (of(0.95, 1.05, 400.0), of(1.05, 0.95, 400.0));
+    for whirl in [Whirl::Forward, Whirl::Backward] {
+        let lot = ToleranceBox::between(soft.whirl(whirl).clone(), stiff.whirl(whirl).clone()).unwrap();
+        let ranges = lot.first_frequencies::<6>().unwrap();
+        for (up, down) in [(1.0, 1.0), (0.96, 0.97), (1.04, 1.05), (1.05, 1.05), (0.95, 0.95)] {
+            let between = of(up, down, 400.0);
+            for (root, range) in between.whirl(whirl).first_frequencies::<6>().unwrap().iter().zip(&ranges) {
+                assert!(root.omega > range.lowest.omega && root.omega < range.highest.omega, "{whirl:?} {up} {down}");
+            }
+        }
+    }
+    let faster = of(1.05, 0.95, 401.0);
+    let refused = ToleranceBox::between(soft.whirl(Whirl::Forward).clone(), faster.whirl(Whirl::Forward).clone());
+    assert!(matches!(refused.map(|_| ()), Err(ToleranceError::NotOrdered { parameter: "speed", .. })));
+}

@@ -2,7 +2,8 @@
 //!
 //! With the potential energy V and the kinetic energy T over ω² of the same motion, `ω_n² = min max V/T` over all spaces of n motions. Where a system has `V <= V'` and `T >= T'` for all
 //! motions, each of its frequencies is at most that of the other one. V grows with stiffnesses, tensions and axial forces, T with masses and inertias; what acts both ways, as
-//! places and lengths of beams do, has to be the same.
+//! places and lengths of beams do, has to be the same. For a whirl of a rotor the counts say the same: at each ω its dynamic stiffness `K - ω² M + ω G` is at most that of the other one,
+//! where both have one G.
 
 use crate::element::{BeamNumbers, BodyNumbers, Exact, LineNumbers, MemberNumbers, SpinNumbers, TaperedNumbers};
 use crate::model::{MemberPlane, Spot, ToleranceError};
