@@ -5,6 +5,7 @@ mod damping;
 mod dislocations;
 mod models;
 mod participation;
+mod random;
 mod ranges;
 mod spectra;
 mod supports;

@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::{assert_close, number, reference};
+use crate::random::{Random, frame};
 use mstmm::elements::{Spring, TorsionSpring};
 use mstmm::frame::{Frame, RigidBody, Section, Structure, Tensor, Tie};
 use mstmm::network::Support;
@@ -338,4 +339,48 @@ fn whirls_of_rotors_have_ranges() {
     let faster = of(1.05, 0.95, 401.0);
     let refused = ToleranceBox::between(soft.whirl(Whirl::Forward).clone(), faster.whirl(Whirl::Forward).clone());
     assert!(matches!(refused.map(|_| ()), Err(ToleranceError::NotOrdered { parameter: "speed", .. })));
+}
+
+/// Corners and samples of boxes around random frames: none outside, and both ends those of the soft and the stiff frame.
+fn assert_nothing_is_outside(seeds: core::ops::Range<u64>, corners: usize, samples: usize) {
+    let (mut tried, mut seen, mut count) = (0, 0.0, 0.0);
+    for seed in seeds {
+        let of = |share: &mut dyn FnMut() -> f64| frame(seed, 0.05, share).frame.build().unwrap();
+        let (soft, stiff) = (of(&mut || -1.0), of(&mut || 1.0));
+        let lot = ToleranceBox::between(soft, stiff).unwrap();
+        let ranges = lot.frequencies(6).unwrap();
+        assert_eq!(ranges[0].lowest, lot.soft().frequencies(6).unwrap()[0]);
+        let mut random = Random::new(seed + 77);
+        let mut extremes = ranges.iter().map(|range| [range.highest.omega, range.lowest.omega]).collect::<Vec<_>>();
+        for sample in 0..corners + samples {
+            let mut share = || {
+                let number = random.next();
+                if sample < corners { if number < 0.5 { -1.0 } else { 1.0 } } else { 2.0 * number - 1.0 }
+            };
+            let roots = of(&mut share).frequencies(6).unwrap();
+            let numbers = roots.iter().flat_map(|root| core::iter::repeat_n(root, root.multiplicity as usize));
+            for ((root, range), extreme) in numbers.zip(&ranges).zip(&mut extremes) {
+                let is_inside = root.upper >= range.lowest.lower && root.lower <= range.highest.upper;
+                assert!(is_inside, "{seed}: {} outside {range:?}", root.omega);
+                *extreme = [extreme[0].min(root.omega), extreme[1].max(root.omega)];
+            }
+            tried += 1;
+        }
+        for (range, [least, most]) in ranges.iter().zip(extremes) {
+            seen += (most - least) / (range.highest.omega - range.lowest.omega);
+            count += 1.0;
+        }
+    }
+    println!("{tried} frames, none outside; they see {:.2} of the ranges", seen / count);
+}
+
+#[test]
+fn corners_of_random_frames_are_inside() {
+    assert_nothing_is_outside(0..4, 8, 8);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn a_thousand_corners_and_samples_of_fifty_frames_are_inside() {
+    assert_nothing_is_outside(0..50, 1024, 1000);
 }

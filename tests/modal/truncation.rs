@@ -2,6 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::{Cantilever, Portal, assert_close, number, reference};
+use crate::random::{Random, frame};
 use mstmm::Complex;
 use mstmm::elements::Spring;
 use mstmm::frame::{Frame, Ground, Line, Point, PointMass, RigidBody, Section, Structure};
@@ -332,4 +333,61 @@ fn bounds_hold_just_above_a_listed_root() {
     let jumps = truncation.over(Variation::of(&record, -0.1), 0.02).unwrap();
     assert_close(jumps, truncation.after_step().unwrap() * 1.5, 1e-14);
     assert_eq!(truncation.over(Variation::of(&[0.0, f64::NAN], 0.1), 0.02), None);
+}
+
+/// The bounds of random frames, of all kinds of loads and entries; prints how much of them is used.
+fn assert_bounds_hold(seeds: core::ops::Range<u64>) {
+    let (mut most, mut sum, mut count, mut tried) = (0.0_f64, 0.0, 0.0, 0);
+    for seed in seeds {
+        let own = frame(seed, 0.0, || 0.0);
+        let system = own.frame.build().unwrap();
+        let mut random = Random::new(seed + 1000);
+        let modes = 3 + (6.0 * random.next()) as usize;
+        let Ok(all) = system.frequencies(modes + 1) else { continue };
+        let roots = &all[..all.len() - 1];
+        let reach = roots[roots.len() - 1].omega * (1.0 - random.next()) + all[all.len() - 1].omega * random.next();
+        let reach = reach.clamp(roots[roots.len() - 1].omega * (1.0 + 1e-6), all[all.len() - 1].omega * (1.0 - 1e-9));
+        let mut pick = |count: usize| (random.next() * count as f64) as usize;
+        let (point, other) = (own.points[1 + pick(own.points.len() - 1)], own.points[1 + pick(own.points.len() - 1)]);
+        let member = own.members[pick(own.members.len())];
+        let twin = own.members[pick(own.members.len())];
+        let loads = [
+            point.force_x(),
+            point.torque_z(),
+            member.input().kink(),
+            member.output().stretch(),
+            PlaneLoad::self_weight_y(),
+        ];
+        let entries = [other.displacement_y(), twin.input().moment(), twin.output().shear(), other.rotation_z()];
+        for (load, entry) in loads.iter().flat_map(|load| entries.iter().map(move |entry| (*load, *entry))) {
+            let Ok(truncation) = system.truncation::<16>(roots, load, entry, reach) else { continue };
+            let sum_of_modes = system.modal_response::<16, _>(roots, load, entry).unwrap();
+            let exact = system.frequency_response(load, entry).unwrap();
+            tried += 1;
+            for part in [0.2, 0.5, 0.8, 0.97, 1.0] {
+                let omega = part * reach;
+                let truth = exact.at(omega).unwrap();
+                let (error, bound) = ((truth - sum_of_modes.at(omega).unwrap()).abs(), truncation.at(omega));
+                assert!(error <= bound + 1e-11 * truth.abs(), "{seed} {load:?} {entry:?} {part}: {error:e} {bound:e}");
+                if error > 1e-9 * truth.abs() {
+                    most = most.max(error / bound);
+                    sum += error / bound;
+                    count += 1.0;
+                }
+            }
+        }
+    }
+    println!("{tried} pairs of loads and entries: {:.2} of the bound on the average, {most:.3} at most", sum / count);
+    assert!(tried > 0);
+}
+
+#[test]
+fn bounds_of_random_frames_hold() {
+    assert_bounds_hold(0..6);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn bounds_of_three_hundred_random_frames_hold() {
+    assert_bounds_hold(0..300);
 }
