@@ -1,6 +1,7 @@
 //! Responses to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::facts::Facts;
 use crate::answer::root::is_below_losses;
 use crate::answer::spread_load::{Work, response};
 use crate::model::{Acting, Entry, Load, MotionError, Spread};
@@ -10,7 +11,7 @@ use crate::pass::characteristic::System;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use mstmm_plan::Coordinate;
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
 const VANISHING: f64 = 4096.0;
@@ -40,19 +41,14 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Ok(FrequencyResponse { route: Route::new(system, load, entry), spread })
     }
 
-    /// The system.
-    pub(crate) fn system(&self) -> &'a Y {
-        self.route.system
-    }
-
-    /// Whether the load is a dislocation.
-    pub(crate) fn is_motion(&self) -> bool {
-        self.spread.is_none() && !self.route.load.coordinate.is_force()
-    }
-
-    /// Whether the entry is a force or a moment.
-    pub(crate) fn is_force(&self) -> bool {
-        self.route.entry.coordinate.is_force()
+    /// What its load and its entry are.
+    pub(crate) fn facts(&self) -> Facts<Y::Parameter> {
+        let Route { system, load, entry, .. } = &self.route;
+        let is_motion = self.spread.is_none() && !load.coordinate.is_force();
+        let is_along = if entry.coordinate == Coordinate::Y { Y::Parameter::one() } else { Y::Parameter::zero() };
+        let is_of_ground = matches!(self.spread, Some(Spread::Inertia(_)));
+        let along = is_of_ground.then_some(is_along);
+        Facts { along, ..Facts::of(*system, is_motion, entry.coordinate.is_force()) }
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.

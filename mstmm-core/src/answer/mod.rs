@@ -4,6 +4,7 @@ pub(crate) mod at_rest;
 pub(crate) mod dominant_entry;
 pub(crate) mod energies;
 pub(crate) mod energy_shares;
+pub(crate) mod facts;
 #[cfg(feature = "std")]
 pub(crate) mod frame_rotor;
 #[cfg(feature = "std")]

@@ -2,7 +2,7 @@
 
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::modal::moving_mass::moving_mass;
-use crate::answer::modal::of_tree::{OfTree, WorkOnTree};
+use crate::answer::modal::of_tree::{OfTree, for_each_shape};
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::modal::truncation::{Truncation, check_list};
@@ -169,7 +169,9 @@ pub trait ModalAnalysis: System {
     {
         const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
         let total = self.moving_mass(direction)?;
-        Participation::new(&WorkOnTree { system: self, load: Load::self_weight() }, total, roots)
+        Participation::new(total, roots, |root, add| {
+            for_each_shape::<N, _, _, _>(self, root, |shape| shape.work(Load::self_weight()), add)
+        })
     }
 
     /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.

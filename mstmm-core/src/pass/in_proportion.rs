@@ -8,7 +8,7 @@ use mstmm_plan::{Freedoms, Space, Support};
 
 /// What a system has that damping in proportion does not go with.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Obstacles {
+pub(crate) struct Obstacles {
     /// Whether a member bears an axial force, a stiffness that nothing damps.
     pub(crate) axial_force: bool,
     /// Whether something is damped already.

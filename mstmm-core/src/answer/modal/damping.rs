@@ -76,7 +76,7 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
             return Err(MotionError::LossFactor);
         }
         let (alpha, beta) = (damping.of_inertias(), damping.of_stiffnesses());
-        if self.facts.bears_axial_force && !beta.is_zero() {
+        if self.facts.obstacles.axial_force && !beta.is_zero() {
             return Err(MotionError::AxialForce);
         }
         let mut damped = self.without_terms()?;

@@ -1,11 +1,11 @@
 //! Exact responses of systems that are damped in proportion to inertias and stiffnesses: those of the undamped system at another frequency.
 
+use crate::answer::facts::Facts;
 use crate::answer::frequency_response::FrequencyResponse;
 use crate::answer::network::response::PlaneResponse;
 use crate::model::MotionError;
 use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::characteristic::System;
-use crate::pass::in_proportion::Obstacles;
 use crate::pass::network::{MovingNetwork, PlaneFrequency};
 use crate::pass::tree::ExtendedTree;
 use crate::search::ProportionalDamping;
@@ -18,17 +18,9 @@ pub trait ExactResponse<T> {
     #[doc(hidden)]
     fn exactly(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError>;
 
-    /// Whether its load is the motion of a support.
+    /// What its load and its entry are.
     #[doc(hidden)]
-    fn is_of_motion(&self) -> bool;
-
-    /// Whether its entry is a force or a moment.
-    #[doc(hidden)]
-    fn is_of_force(&self) -> bool;
-
-    /// What the system has that damping in proportion does not go with.
-    #[doc(hidden)]
-    fn obstacles(&self) -> Obstacles;
+    fn facts(&self) -> Facts<T>;
 }
 
 impl<T, Y> ExactResponse<T> for FrequencyResponse<'_, Y>
@@ -42,16 +34,8 @@ where
         self.at(lambda)
     }
 
-    fn is_of_motion(&self) -> bool {
-        self.is_motion()
-    }
-
-    fn is_of_force(&self) -> bool {
-        self.is_force()
-    }
-
-    fn obstacles(&self) -> Obstacles {
-        Obstacles::of(self.system())
+    fn facts(&self) -> Facts<T> {
+        FrequencyResponse::facts(self)
     }
 }
 
@@ -66,16 +50,8 @@ where
         self.at(lambda)
     }
 
-    fn is_of_motion(&self) -> bool {
-        self.is_motion()
-    }
-
-    fn is_of_force(&self) -> bool {
-        self.is_force()
-    }
-
-    fn obstacles(&self) -> Obstacles {
-        Obstacles::of(self.system())
+    fn facts(&self) -> Facts<T> {
+        PlaneResponse::facts(self)
     }
 }
 
@@ -112,7 +88,7 @@ impl<T: Real> ProportionalDamping<T> {
     pub fn response(&self, exact: &impl ExactResponse<T>, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
         let one = Complex::from(T::one());
         let (alpha, beta, loss) = (self.of_inertias(), self.of_stiffnesses(), self.loss_factor());
-        let obstacles = exact.obstacles();
+        let Facts { is_motion, is_force, obstacles, .. } = exact.facts();
         if obstacles.damping {
             return Err(MotionError::Damped);
         }
@@ -125,8 +101,8 @@ impl<T: Real> ProportionalDamping<T> {
         let factor = (one + lambda * beta) * Complex::new(T::one(), loss);
         let square = lambda * (lambda + Complex::from(alpha)) / factor;
         // a force is that of the stiffness and of its damping
-        let of_entry = if exact.is_of_force() { factor } else { one };
-        if exact.is_of_motion() {
+        let of_entry = if is_force { factor } else { one };
+        if is_motion {
             let at_rest = exact.exactly(Complex::zero())?;
             if lambda.is_zero() {
                 return Ok(at_rest * of_entry);

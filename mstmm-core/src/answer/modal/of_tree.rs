@@ -1,20 +1,19 @@
 //! The response of a tree as a sum over modes takes it.
 
 use crate::answer::at_rest::Part;
+use crate::answer::facts::Facts;
 use crate::answer::frequency_response::FrequencyResponse;
-use crate::answer::modal::response::{Facts, Products, Superposed};
+use crate::answer::modal::response::{Superposed, USUAL_MULTIPLICITY};
 use crate::answer::modal::truncation::Side;
 use crate::answer::mode_shape::{ModeShape, simple};
 use crate::answer::repeated_root::all_shapes;
 use crate::answer::root::{Root, simple_root};
-use crate::model::{Acting, Entry, Load, MotionError, Spread};
+use crate::model::{Entry, Load, MotionError};
 use crate::number::{Oscillation, Real, Single};
 use crate::pass::characteristic::System;
-use crate::pass::in_proportion::Obstacles;
 use crate::pass::route::Place;
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use crate::search::NaturalFrequency;
-use mstmm_plan::Coordinate;
 
 /// The response of a tree.
 pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
@@ -22,12 +21,6 @@ pub(crate) struct OfTree<'a, Y: Planned + ?Sized> {
     load: Load<Y::Model>,
     entry: Place,
     response: FrequencyResponse<'a, Y>,
-}
-
-/// The work of a load on the shapes of a tree.
-pub(crate) struct WorkOnTree<'a, Y: Planned + ?Sized> {
-    pub(crate) system: &'a Y,
-    pub(crate) load: Load<Y::Model>,
 }
 
 impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
@@ -59,8 +52,8 @@ impl<'a, Y: Planned + ?Sized> OfTree<'a, Y> {
     }
 }
 
-/// Hands on what a function makes of each shape of a root.
-fn for_each<const CAP: usize, T, R, Y>(
+/// Hands on what a function makes of each shape of a root, of which there is room for as many as usual, or for `CAP`.
+pub(crate) fn for_each_shape<const CAP: usize, T, R, Y>(
     system: &Y,
     root: &R,
     mut number: impl FnMut(&ModeShape<'_, Y, R::Frequency>) -> Result<R::Frequency, MotionError>,
@@ -71,41 +64,27 @@ where
     R: Root<T>,
     Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
 {
-    if root.multiplicity() <= 1 {
-        return add(number(&simple(system, simple_root(root)?)?)?);
+    let mut add = |shape: &ModeShape<'_, Y, R::Frequency>| add(number(shape)?);
+    match root.multiplicity() {
+        0..=1 => add(&simple(system, simple_root(root)?)?),
+        2..=USUAL_MULTIPLICITY => for_each_of_several::<{ USUAL_MULTIPLICITY as usize }, _, _, _>(system, root, add),
+        _ => for_each_of_several::<CAP, _, _, _>(system, root, add),
     }
-    let shapes = all_shapes::<CAP, _, _, _>(system, root)?;
-    shapes.iter().try_for_each(|shape| add(number(shape)?))
 }
 
-impl<T, R, Y> Products<T, R> for OfTree<'_, Y>
+/// Hands on the shapes of a multiple root. Not inlined, so that the memory of its shapes is freed.
+#[inline(never)]
+fn for_each_of_several<const CAP: usize, T, R, Y>(
+    system: &Y,
+    root: &R,
+    add: impl FnMut(&ModeShape<'_, Y, R::Frequency>) -> Result<(), MotionError>,
+) -> Result<(), MotionError>
 where
     T: Real,
     R: Root<T>,
     Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
 {
-    fn for_each_product<const CAP: usize>(
-        &self,
-        root: &R,
-        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
-    ) -> Result<(), MotionError> {
-        for_each::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
-    }
-}
-
-impl<T, R, Y> Products<T, R> for WorkOnTree<'_, Y>
-where
-    T: Real,
-    R: Root<T>,
-    Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
-{
-    fn for_each_product<const CAP: usize>(
-        &self,
-        root: &R,
-        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
-    ) -> Result<(), MotionError> {
-        for_each::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load), add)
-    }
+    all_shapes::<CAP, _, _, _>(system, root)?.iter().try_for_each(add)
 }
 
 impl<T, R, Y> Superposed<T, R> for OfTree<'_, Y>
@@ -114,6 +93,14 @@ where
     R: Root<T>,
     Y: ExtendedTree<R::Frequency> + System<Parameter = T>,
 {
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        for_each_shape::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
+    }
+
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
         self.response.held_at_rest()
     }
@@ -131,15 +118,7 @@ where
     }
 
     fn facts(&self) -> Facts<T> {
-        let is_along = self.entry.coordinate == Coordinate::Y;
-        let is_of_ground = matches!(self.load.acting, Acting::Spread(Spread::Inertia(_)));
-        Facts {
-            is_motion: matches!(self.load.acting, Acting::At(_, jump) if !jump.is_force()),
-            is_force: self.entry.coordinate.is_force(),
-            bears_axial_force: Obstacles::of(self.system).axial_force,
-            along: is_of_ground.then(|| if is_along { T::one() } else { T::zero() }),
-            ..Facts::default()
-        }
+        self.response.facts()
     }
 
     fn has_loss(&self) -> bool {

@@ -1,7 +1,5 @@
 //! How much of the mass each mode takes with it.
 
-use crate::answer::modal::response::{Products, for_each_shape};
-use crate::answer::root::Root;
 use crate::model::MotionError;
 use crate::number::{List, Real};
 
@@ -44,21 +42,17 @@ pub struct Participation<T, const N: usize> {
 }
 
 impl<T: Real, const N: usize> Participation<T, N> {
-    /// The factors of all shapes of some roots.
-    pub(crate) fn new<'r, R>(
-        weight: &impl Products<T, R>,
+    /// The factors of all shapes of some roots, given what hands on those of a root.
+    pub(crate) fn new<'r, R: 'r>(
         total: T,
         roots: impl IntoIterator<Item = &'r R>,
-    ) -> Result<Self, MotionError>
-    where
-        R: Root<T, Frequency = T> + 'r,
-    {
+        for_each_factor: impl Fn(&R, &mut dyn FnMut(T) -> Result<(), MotionError>) -> Result<(), MotionError>,
+    ) -> Result<Self, MotionError> {
         let mut factors = List::new();
         for (place, root) in roots.into_iter().enumerate() {
-            for_each_shape::<N, T, R>(weight, root, &mut |value| {
-                factors
-                    .push(ParticipationFactor { root: place, value })
-                    .map_err(|_| MotionError::Capacity { capacity: N })
+            for_each_factor(root, &mut |value| {
+                let factor = ParticipationFactor { root: place, value };
+                factors.push(factor).map_err(|_| MotionError::Capacity { capacity: N })
             })?;
         }
         Ok(Participation { factors, total })

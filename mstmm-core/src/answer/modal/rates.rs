@@ -1,6 +1,7 @@
 //! Responses of rates and accelerations, and those to accelerations of what moves.
 
-use crate::answer::modal::response::{Facts, ModalResponse, Term};
+use crate::answer::facts::Facts;
+use crate::answer::modal::response::{ModalResponse, Term};
 use crate::model::MotionError;
 use crate::number::{List, Real};
 use num_complex::Complex;

@@ -1,6 +1,7 @@
 //! Responses in time by superposition of modes.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::facts::Facts;
 use crate::answer::root::Root;
 use crate::model::MotionError;
 use crate::number::{Frequency, List, Oscillation, Real, Scalar, exponential, phi_1};
@@ -9,7 +10,7 @@ use num_complex::Complex;
 use num_traits::Zero;
 
 /// Number of shapes of a multiple root for which there is room at any capacity of the response.
-const USUAL_MULTIPLICITY: u64 = 4;
+pub(crate) const USUAL_MULTIPLICITY: u64 = 4;
 /// Difference between the static response and that of the modes, in roundings of both, up to which it counts as zero.
 const ROUNDING: f64 = 64.0;
 
@@ -47,21 +48,6 @@ pub struct ModalResponse<T, const N: usize, M> {
     pub(crate) roots: usize,
     pub(crate) facts: Facts<T>,
     pub(crate) meaning: PhantomData<fn() -> M>,
-}
-
-/// What its load and its entry are.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Facts<T> {
-    /// Whether the load is the motion of a support, or a dislocation.
-    pub(crate) is_motion: bool,
-    /// Whether the entry is a force or a moment.
-    pub(crate) is_force: bool,
-    /// Whether it is the rate of a response, or one to an acceleration in place of a motion.
-    pub(crate) is_derived: bool,
-    /// Whether a member bears an axial force.
-    pub(crate) bears_axial_force: bool,
-    /// Under an acceleration of the ground: how far the entry goes along with a motion of 1 of the ground.
-    pub(crate) along: Option<T>,
 }
 
 /// The part of a mode in the response to an impulse: the real part of `residue · e^{λt}`, for an eigenvalue and its conjugate.
@@ -111,7 +97,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     fn add<R: Root<T>>(&mut self, source: &impl Superposed<T, R>, root: &R) -> Result<(), MotionError> {
         let omega = root.frequency().omega().to_complex();
         let (lambda, place) = (Complex::new(-omega.im, omega.re), self.roots - 1);
-        for_each_shape::<N, T, R>(source, root, &mut |product: R::Frequency| {
+        source.for_each_product::<N>(root, &mut |product: R::Frequency| {
             let product = product.to_complex();
             let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
             self.push(Term { lambda, residue, root: place })
@@ -237,32 +223,15 @@ fn beyond_rounding<T: Real>(number: T, scale: f64) -> T {
     if number.size() <= ROUNDING * T::EPSILON * scale { T::zero() } else { number }
 }
 
-/// What is known of each shape of a root.
-pub(crate) trait Products<T: Real, R: Root<T>> {
-    /// Hands on a number for each shape of a root, of which there is room for `CAP` if it is multiple.
+/// A response whose parts at roots, `φ φ` at the load and at the entry, are known by their shapes.
+pub(crate) trait Superposed<T: Real, R: Root<T>> {
+    /// Hands on `φ φ` for each shape of a root, of which there is room for `CAP` if there are more than usual.
     fn for_each_product<const CAP: usize>(
         &self,
         root: &R,
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError>;
-}
 
-/// Hands on a number for each shape of a root, with room for as many as a root usually has, or for `CAP`. Not inlined, so that the memory of its shapes is freed.
-#[inline(never)]
-pub(crate) fn for_each_shape<const CAP: usize, T: Real, R: Root<T>>(
-    source: &impl Products<T, R>,
-    root: &R,
-    add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
-) -> Result<(), MotionError> {
-    if root.multiplicity() <= USUAL_MULTIPLICITY {
-        source.for_each_product::<{ USUAL_MULTIPLICITY as usize }>(root, add)
-    } else {
-        source.for_each_product::<CAP>(root, add)
-    }
-}
-
-/// A response whose parts at roots, `φ φ` at the load and at the entry, are known by their shapes.
-pub(crate) trait Superposed<T: Real, R: Root<T>>: Products<T, R> {
     /// The static limit of a system that is held; `None` where something moves off.
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError>;
 

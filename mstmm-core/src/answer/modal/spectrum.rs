@@ -2,7 +2,7 @@
 
 use crate::answer::modal::response::ModalResponse;
 use crate::model::SpectrumError;
-use crate::number::{List, Real, logarithm};
+use crate::number::{List, Real, logarithm, modulus};
 
 /// A response spectrum: for an oscillator on the ground the largest deflection times the square of its frequency.
 ///
@@ -181,7 +181,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         };
         let mut modes: List<PeakOfMode<T>, N> = List::new();
         for term in &self.terms {
-            let omega = (term.lambda.re * term.lambda.re + term.lambda.im * term.lambda.im).sqrt();
+            let omega = modulus(term.lambda);
             if term.lambda.im.is_zero() {
                 return Err(SpectrumError::NoVibration { root: omega.to_f64() });
             }

@@ -1,15 +1,15 @@
 //! The response of a plane structure as a sum over modes takes it.
 
 use crate::answer::at_rest::Part;
-use crate::answer::modal::response::{Facts, Products, Superposed};
+use crate::answer::facts::Facts;
+use crate::answer::modal::response::{Superposed, USUAL_MULTIPLICITY};
 use crate::answer::modal::truncation::Side;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::shape::{PlaneShape, all, simple};
 use crate::answer::root::{Root, simple_root};
-use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad};
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity};
 use crate::number::Real;
 use crate::pass::characteristic::System;
-use crate::pass::in_proportion::Obstacles;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
 use crate::search::NaturalFrequency;
 use num_traits::Zero;
@@ -20,12 +20,6 @@ pub(super) struct OfFrame<'a, Y: Placed> {
     load: PlaneLoad<Y::Model>,
     entry: PlaneEntry<Y::Model>,
     response: PlaneResponse<'a, Y>,
-}
-
-/// The work of a load on the shapes of a plane structure.
-pub(super) struct WorkOnFrame<'a, Y: Placed> {
-    pub(super) system: &'a Y,
-    pub(super) load: PlaneLoad<Y::Model>,
 }
 
 impl<'a, Y: Placed> OfFrame<'a, Y> {
@@ -63,8 +57,8 @@ impl<'a, Y: Placed> OfFrame<'a, Y> {
     }
 }
 
-/// Hands on what a function makes of each shape of a root.
-fn for_each<const CAP: usize, T, R, Y>(
+/// Hands on what a function makes of each shape of a root, of which there is room for as many as usual, or for `CAP`.
+pub(super) fn for_each_shape<const CAP: usize, T, R, Y>(
     system: &Y,
     root: &R,
     mut number: impl FnMut(&PlaneShape<'_, Y, R::Frequency>) -> Result<R::Frequency, MotionError>,
@@ -75,41 +69,27 @@ where
     R: Root<T, Frequency: PlaneFrequency<T>>,
     Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
 {
-    if root.multiplicity() <= 1 {
-        return add(number(&simple(system, simple_root(root)?)?)?);
+    let mut add = |shape: &PlaneShape<'_, Y, R::Frequency>| add(number(shape)?);
+    match root.multiplicity() {
+        0..=1 => add(&simple(system, simple_root(root)?)?),
+        2..=USUAL_MULTIPLICITY => for_each_of_several::<{ USUAL_MULTIPLICITY as usize }, _, _, _>(system, root, add),
+        _ => for_each_of_several::<CAP, _, _, _>(system, root, add),
     }
-    let shapes = all::<CAP, _, _>(system, root.frequency(), root.multiplicity())?;
-    shapes.iter().try_for_each(|shape| add(number(shape)?))
 }
 
-impl<T, R, Y> Products<T, R> for OfFrame<'_, Y>
+/// Hands on the shapes of a multiple root. Not inlined, so that the memory of its shapes is freed.
+#[inline(never)]
+fn for_each_of_several<const CAP: usize, T, R, Y>(
+    system: &Y,
+    root: &R,
+    add: impl FnMut(&PlaneShape<'_, Y, R::Frequency>) -> Result<(), MotionError>,
+) -> Result<(), MotionError>
 where
     T: Real,
     R: Root<T, Frequency: PlaneFrequency<T>>,
     Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
 {
-    fn for_each_product<const CAP: usize>(
-        &self,
-        root: &R,
-        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
-    ) -> Result<(), MotionError> {
-        for_each::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
-    }
-}
-
-impl<T, R, Y> Products<T, R> for WorkOnFrame<'_, Y>
-where
-    T: Real,
-    R: Root<T, Frequency: PlaneFrequency<T>>,
-    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
-{
-    fn for_each_product<const CAP: usize>(
-        &self,
-        root: &R,
-        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
-    ) -> Result<(), MotionError> {
-        for_each::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load), add)
-    }
+    all::<CAP, _, _>(system, root.frequency(), root.multiplicity())?.iter().try_for_each(add)
 }
 
 impl<T, R, Y> Superposed<T, R> for OfFrame<'_, Y>
@@ -118,6 +98,14 @@ where
     R: Root<T, Frequency: PlaneFrequency<T>>,
     Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
 {
+    fn for_each_product<const CAP: usize>(
+        &self,
+        root: &R,
+        add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+    ) -> Result<(), MotionError> {
+        for_each_shape::<CAP, _, _, _>(self.system, root, |shape| self.product(shape), add)
+    }
+
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
         match self.response.states(R::Frequency::zero()) {
             Err(MotionError::Resonance { .. }) => Ok(None),
@@ -138,20 +126,7 @@ where
     }
 
     fn facts(&self) -> Facts<T> {
-        let moved = match (self.load.acting, self.entry.quantity) {
-            (PlaneActing::Spread(SpreadLoad { axis, is_inertia: true, .. }), Quantity::Displacement(_, own)) => {
-                Some(own == axis)
-            }
-            (PlaneActing::Spread(SpreadLoad { is_inertia: true, .. }), _) => Some(false),
-            _ => None,
-        };
-        Facts {
-            is_motion: self.response.is_motion(),
-            is_force: self.response.is_force(),
-            bears_axial_force: Obstacles::of(self.system).axial_force,
-            along: moved.map(|is_along| if is_along { T::one() } else { T::zero() }),
-            ..Facts::default()
-        }
+        self.response.facts()
     }
 
     fn has_loss(&self) -> bool {

@@ -1,8 +1,9 @@
 //! A load along members and its own work: what bounds of sums over modes ask of it.
 
 use crate::answer::at_rest::Part;
-use crate::answer::modal::response::{Facts, Products, Superposed};
-use crate::answer::network::of_frame::WorkOnFrame;
+use crate::answer::facts::Facts;
+use crate::answer::modal::response::Superposed;
+use crate::answer::network::of_frame::for_each_shape;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::states::PlaneStates;
 use crate::answer::root::Root;
@@ -17,7 +18,8 @@ use num_traits::Zero;
 
 /// A load along members, with its work on the motion under it.
 pub(super) struct OwnLoad<'a, Y: Placed> {
-    work: WorkOnFrame<'a, Y>,
+    system: &'a Y,
+    load: PlaneLoad<Y::Model>,
     /// The response of any entry: the motion under the load is the same.
     response: PlaneResponse<'a, Y>,
 }
@@ -28,11 +30,11 @@ impl<'a, Y: Placed> OwnLoad<'a, Y> {
         load: PlaneLoad<Y::Model>,
         entry: PlaneEntry<Y::Model>,
     ) -> Result<Self, MotionError> {
-        Ok(OwnLoad { work: WorkOnFrame { system, load }, response: PlaneResponse::new(system, load, entry)? })
+        Ok(OwnLoad { system, load, response: PlaneResponse::new(system, load, entry)? })
     }
 }
 
-impl<T, R, Y> Products<T, R> for OwnLoad<'_, Y>
+impl<T, R, Y> Superposed<T, R> for OwnLoad<'_, Y>
 where
     T: Real,
     R: Root<T, Frequency: PlaneFrequency<T>>,
@@ -43,16 +45,10 @@ where
         root: &R,
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError> {
-        self.work.for_each_product::<CAP>(root, &mut |work| add(work * work))
+        let square = |work: R::Frequency| work * work;
+        for_each_shape::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load).map(square), add)
     }
-}
 
-impl<T, R, Y> Superposed<T, R> for OwnLoad<'_, Y>
-where
-    T: Real,
-    R: Root<T, Frequency: PlaneFrequency<T>>,
-    Y: MovingNetwork<R::Frequency> + System<Parameter = T>,
-{
     /// Of what floats there is no limit: integrals along members have too many waves where it is sought.
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
         self.response.states(R::Frequency::zero())?.own_work().map(Some)
@@ -76,7 +72,7 @@ where
     }
 
     fn has_loss(&self) -> bool {
-        self.work.system.frequency_estimates().has_loss()
+        self.system.frequency_estimates().has_loss()
     }
 }
 
@@ -88,15 +84,8 @@ where
     /// The work of a load along members on the motion under it, by integrals along all of them.
     fn own_work(&self) -> Result<S, MotionError> {
         let Some(load) = self.load else { return Ok(S::zero()) };
-        let [nodes, members] = self.system.sizes();
-        let mut work = S::zero();
-        for node in 0..nodes {
-            let forces = load.on_node(self.system, node).into_iter().flatten();
-            for (force, displacement) in forces.zip(self.all_of(node)?) {
-                work += force * displacement;
-            }
-        }
-        for member in 0..members {
+        let mut work = self.work_on_nodes(&load)?;
+        for member in 0..self.system.sizes()[1] {
             if let Some(load) = self.load_on(member) {
                 let own = OwnWork::<Y::Parameter, S> { ends: self.member_ends(member), load, numbers: PhantomData };
                 work += self.system.visit_member(member, own).unwrap_or_default();

@@ -4,7 +4,7 @@ use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
 use crate::answer::network::moving_mass::moving_mass;
-use crate::answer::network::of_frame::{OfFrame, WorkOnFrame};
+use crate::answer::network::of_frame::{OfFrame, for_each_shape};
 use crate::answer::network::own_load::OwnLoad;
 use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
@@ -138,7 +138,10 @@ pub trait FrameAnalysis: Placed + Sized {
     {
         const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
         let total = self.moving_mass(direction)?;
-        Participation::new(&WorkOnFrame { system: self, load: PlaneLoad::weight(direction.axis) }, total, roots)
+        let weight = PlaneLoad::weight(direction.axis);
+        Participation::new(total, roots, |root, add| {
+            for_each_shape::<N, _, _, _>(self, root, |shape| shape.work(weight), add)
+        })
     }
 
     /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.

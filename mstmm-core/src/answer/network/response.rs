@@ -1,6 +1,7 @@
 //! Responses of plane structures to harmonic loads.
 
 use crate::answer::at_rest::{AtRest, Part};
+use crate::answer::facts::Facts;
 use crate::answer::frequency_response::on_grid;
 use crate::answer::network::spread_load::loads;
 use crate::answer::network::states::{
@@ -8,7 +9,9 @@ use crate::answer::network::states::{
 };
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::{Root, is_below_losses};
-use crate::model::{EndMotion, MemberPlane, MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, Tied};
+use crate::model::{
+    EndMotion, MemberPlane, MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad, Tied,
+};
 use crate::number::{Frequency, List};
 use crate::pass::characteristic::System;
 use crate::pass::network::vector::{ROTATIONS, at_node};
@@ -18,6 +21,7 @@ use crate::pass::network::{
 };
 use crate::search::ClosedRange;
 use mstmm_plan::Freedoms;
+use num_traits::{One, Zero};
 
 /// Where a resonance is not looked for again, as a part of its frequency.
 const ELSEWHERE: f64 = 0.617;
@@ -47,19 +51,20 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Ok(PlaneResponse { system, load, entry })
     }
 
-    /// The structure.
-    pub(crate) fn system(&self) -> &'a Y {
-        self.system
-    }
-
-    /// Whether its load is the motion of a support, or a dislocation.
-    pub(crate) fn is_motion(&self) -> bool {
-        matches!(self.load.acting, PlaneActing::Motion(..) | PlaneActing::Dislocation(..))
-    }
-
-    /// Whether the entry is a force or a moment.
-    pub(crate) fn is_force(&self) -> bool {
-        !matches!(self.entry.quantity, Quantity::Displacement(..))
+    /// What its load and its entry are.
+    pub(crate) fn facts(&self) -> Facts<Y::Parameter> {
+        let is_motion = matches!(self.load.acting, PlaneActing::Motion(..) | PlaneActing::Dislocation(..));
+        let displaced = match self.entry.quantity {
+            Quantity::Displacement(_, axis) => Some(axis),
+            Quantity::Internal { .. } | Quantity::Reaction(..) => None,
+        };
+        let along = match self.load.acting {
+            PlaneActing::Spread(SpreadLoad { axis, is_inertia: true, .. }) => {
+                Some(if displaced == Some(axis) { Y::Parameter::one() } else { Y::Parameter::zero() })
+            }
+            _ => None,
+        };
+        Facts { along, ..Facts::of(self.system, is_motion, displaced.is_none()) }
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with

@@ -2,6 +2,7 @@
 
 use crate::answer::network::response::acting_at;
 use crate::answer::network::shape::PlaneShape;
+use crate::answer::network::states::PlaneStates;
 use crate::model::{MotionError, PlaneLoad};
 use crate::pass::characteristic::System;
 use crate::pass::network::{ActingLoad, JumpAt, LoadAt, MovingNetwork, Placed, PlaneFrequency};
@@ -35,22 +36,33 @@ where
     /// As [`frequency_response`](crate::FrameAnalysis::frequency_response) for a load that acts nowhere.
     pub fn work(&self, load: PlaneLoad<<Y as Placed>::Model>) -> Result<S, MotionError> {
         let load = acting_at::<Y, S>(self.system, load.acting)?;
-        let mut work = match load {
+        let beside_nodes = match load {
             ActingLoad::Spread(spread) => self.work_of(spread)?,
+            ActingLoad::At(LoadAt { node, moved: Some(moved), .. }) => {
+                let against = moved.into_iter().zip(self.reactions().as_ref()[node]);
+                against.fold(S::zero(), |sum, (moved, reaction)| sum - moved * reaction)
+            }
             ActingLoad::At(_) => S::zero(),
             ActingLoad::Jump(JumpAt { member, end, freedom, by }) => {
                 -(by * self.member_ends(member).ends[end].forces[freedom])
             }
         };
+        Ok(beside_nodes + self.work_on_nodes(&load)?)
+    }
+}
+
+impl<Y, S> PlaneStates<'_, Y, S>
+where
+    Y: MovingNetwork<S>,
+    S: PlaneFrequency<<Y as System>::Parameter>,
+{
+    /// The work of what a load is on nodes.
+    pub(super) fn work_on_nodes(&self, load: &ActingLoad<S>) -> Result<S, MotionError> {
+        let mut work = S::zero();
         for node in 0..self.system.sizes()[0] {
             let forces = load.on_node(self.system, node).into_iter().flatten();
             for (force, displacement) in forces.zip(self.all_of(node)?) {
                 work += force * displacement;
-            }
-        }
-        if let ActingLoad::At(LoadAt { node, moved: Some(moved), .. }) = load {
-            for (moved, reaction) in moved.iter().zip(self.reactions().as_ref()[node]) {
-                work -= *moved * reaction;
             }
         }
         Ok(work)

@@ -5,11 +5,13 @@ use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::Transfer;
-use crate::elements::shared::bending_chart::Impedances;
+use crate::elements::in_plane::across::freedoms_of_beam;
+use crate::elements::shared::bending_chart::{Impedances, units_of_waves};
 use crate::elements::shared::chart_form::Factors;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::relation::{Compound, Relation};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar};
+use crate::structure::Chart;
 
 impl<S: Scalar> BeamParameters<S> {
     /// The relation of both ends at λ², and the factors of its entries, from the parameters alone.
@@ -49,8 +51,15 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         beam.relation_of(self.at(at.lambda_squared), self.units())
     }
 
+    /// A chart without entries, beside a motion along the beam where that has an impedance, and the places of bending in it.
+    pub(super) fn empty_chart<S: Frequency<T>>(&self, lambda_squared: S, along: Option<f64>) -> (Chart<S>, [usize; 4]) {
+        let impedances = self.impedances(lambda_squared, along.unwrap_or(f64::INFINITY));
+        let (freedoms, places) = freedoms_of_beam(along.is_some());
+        (Chart::empty(freedoms, units_of_waves(&impedances, lambda_squared)), places)
+    }
+
     /// The impedances by which the units of a chart are found.
-    pub(crate) fn impedances<S: Frequency<T>>(&self, lambda_squared: S, axial: f64) -> Impedances {
+    fn impedances<S: Frequency<T>>(&self, lambda_squared: S, axial: f64) -> Impedances {
         let BeamParameters { length, bending_stiffness, mass_per_length, shear_flexibility, rotary_inertia, .. } =
             self.parameters;
         let [l, ei, m, f, r] =

@@ -7,8 +7,7 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
-use crate::elements::in_plane::across::freedoms_of_beam;
-use crate::elements::shared::bending_chart::{BendingWaves, units_of_waves};
+use crate::elements::shared::bending_chart::BendingWaves;
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::Dissipation;
@@ -80,9 +79,7 @@ impl<T: Parameter> BuiltDampedBeam<T> {
         length: S,
         along: Option<f64>,
     ) -> Chart<S> {
-        let impedances = self.beam.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
-        let (freedoms, places) = freedoms_of_beam(along.is_some());
-        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
+        let (mut chart, places) = self.beam.empty_chart(at.lambda_squared, along);
         let beam = BeamParameters { length, ..self.at(at.x) };
         if self.beam.parameters.bends_only() {
             S::enter_bending(&beam.bending_waves(at.lambda_squared), &mut chart, places);

@@ -7,8 +7,6 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
-use crate::elements::in_plane::across::freedoms_of_beam;
-use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::line_forms::half;
@@ -122,9 +120,7 @@ impl<T: Parameter> BuiltDampedSpinningBeam<T> {
         length: S,
         along: Option<f64>,
     ) -> Chart<S> {
-        let impedances = self.beam.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
-        let (freedoms, places) = freedoms_of_beam(along.is_some());
-        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
+        let (mut chart, places) = self.beam.empty_chart(at.lambda_squared, along);
         let beam = BeamParameters { length, ..self.at(at.x) };
         let scale = length * length / beam.bending_stiffness;
         let (relation, factors) = beam.relation_with_moment(at.lambda_squared, self.moment(at.x) * scale);

@@ -5,10 +5,7 @@ use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
 use crate::elements::general_beam::of_built::members_of_built;
 use crate::elements::general_beam::parameters::BeamParameters;
-use crate::elements::in_plane::across::{
-    Across, AlongGradient, ChartedAcross, Stretching, freedoms_of_beam, line_along,
-};
-use crate::elements::shared::bending_chart::units_of_waves;
+use crate::elements::in_plane::across::{Across, AlongGradient, ChartedAcross, Stretching, line_along};
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::uniform_line::UniformLine;
 use crate::model::{EndMotion, InvalidParameter};
@@ -18,9 +15,7 @@ use crate::structure::Chart;
 impl<T: Parameter> BuiltGeneralBeam<T> {
     /// The chart of bending, beside a motion along the beam where that has an impedance.
     fn chart<S: Frequency<T>>(&self, at: &FrequencyPowers<S>, length: S, along: Option<f64>) -> Chart<S> {
-        let impedances = self.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
-        let (freedoms, places) = freedoms_of_beam(along.is_some());
-        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
+        let (mut chart, places) = self.empty_chart(at.lambda_squared, along);
         let (relation, factors) = self.relation(at, length);
         relation.enter(&mut chart, places, &factors);
         chart

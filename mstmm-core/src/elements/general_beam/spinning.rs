@@ -7,8 +7,6 @@ use crate::elements::general_beam::constants::{Constants, SectionAt};
 use crate::elements::general_beam::inside::BeamMotion;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::{BackThrough, Transfer};
-use crate::elements::in_plane::across::freedoms_of_beam;
-use crate::elements::shared::bending_chart::units_of_waves;
 use crate::elements::shared::dissipation::UndampedForms;
 use crate::elements::shared::spin::Spin;
 use crate::model::Ends;
@@ -71,9 +69,7 @@ impl<T: Parameter> BuiltSpinningBeam<T> {
 
     /// The chart of a beam of a length, beside a motion along it where that has an impedance.
     pub(super) fn chart<S: Frequency<T>>(&self, at: &FrequencyPowers<S>, length: S, along: Option<f64>) -> Chart<S> {
-        let impedances = self.beam.impedances(at.lambda_squared, along.unwrap_or(f64::INFINITY));
-        let (freedoms, places) = freedoms_of_beam(along.is_some());
-        let mut chart = Chart::empty(freedoms, units_of_waves(&impedances, at.lambda_squared));
+        let (mut chart, places) = self.beam.empty_chart(at.lambda_squared, along);
         let beam = BeamParameters { length, ..self.beam.parameters_in() };
         let scale = length * length / beam.bending_stiffness;
         let moment = self.spin.momentum::<S>() * scale * at.x.signed_omega();

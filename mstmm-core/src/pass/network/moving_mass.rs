@@ -6,9 +6,9 @@
 use crate::element::MemberNumbers;
 use crate::model::MotionError;
 use crate::number::{Real, Scalar};
-use crate::pass::network::motions::{NONE, Shared};
+use crate::pass::network::motions::Shared;
 use crate::pass::network::placed::Placed;
-use crate::pass::network::ties::shares;
+use crate::pass::network::ties::{Tie, from_leaves, shares};
 use crate::pass::network::vector::Six;
 use mstmm_plan::Freedoms;
 use num_traits::{One, Zero};
@@ -142,42 +142,24 @@ fn moves_along<Y: Placed>(network: &Y, node: usize, axis: usize) -> bool {
 
 /// The mass of bodies of which some are held, node by node.
 fn eliminated<Y: Placed>(network: &Y, inertias: &mut [Inertia<Y::Parameter>]) -> Result<Y::Parameter, MotionError> {
-    let count = network.sizes()[0];
-    let mut waiting = network.per_node(0_u32);
-    let waiting = waiting.as_mut();
-    let above = |node: usize| {
-        let tie = network.node(node).1.hangs_by;
-        (tie != NONE).then(|| network.placement(tie as usize)).map(|placement| {
-            let leaf = usize::from(placement.node_of(1) == node);
-            (placement, leaf, placement.node_of(1 - leaf))
-        })
-    };
-    for node in 0..count {
-        if let Some((.., root)) = above(node) {
-            waiting[root] += 1;
+    let mut mass = Ok(Y::Parameter::zero());
+    from_leaves(network, |node, tie| {
+        let mut own = inertias[node];
+        let shared = tie.and_then(|Tie { member, leaf, root }| {
+            shares(network.placement(member), leaf, network.node(root).1.count == 0, root)
+        });
+        let shared = shared.unwrap_or([Shared::Own; 6]);
+        for motion in (0..network.node(node).1.count).filter(|motion| shared[*motion] == Shared::Own) {
+            let part = own.eliminate(motion).ok_or(MotionError::HeldMass { at: network.spot(node) });
+            mass = mass.and_then(|mass| Ok(mass + part?));
         }
-    }
-    let mut mass = Y::Parameter::zero();
-    for first in 0..count {
-        let mut node = first;
-        while waiting[node] == 0 {
-            waiting[node] = NONE;
-            let mut own = inertias[node];
-            let shared = above(node).map_or([Shared::Own; 6], |(placement, leaf, root)| {
-                shares(placement, leaf, network.node(root).1.count == 0, root).unwrap_or([Shared::Own; 6])
-            });
-            for motion in (0..network.node(node).1.count).filter(|motion| shared[*motion] == Shared::Own) {
-                mass += own.eliminate(motion).ok_or(MotionError::HeldMass { at: network.spot(node) })?;
-            }
-            let Some((.., root)) = above(node) else { break };
+        if let Some(Tie { root, .. }) = tie {
             let motions = shared.map(|shared| match shared {
                 Shared::With { motion, .. } => Some(usize::from(motion)),
                 Shared::Own | Shared::AtRest => None,
             });
             inertias[root].add(&own, &motions);
-            waiting[root] -= 1;
-            node = root;
         }
-    }
-    Ok(mass)
+    });
+    mass
 }

@@ -106,7 +106,50 @@ pub(super) struct Solved<'a, S: Scalar> {
     pub(super) at: &'a FrequencyPowers<S>,
 }
 
-/// Finds the motions of the joints by which nodes hang on others, given the motions of all other members. A node follows all nodes that hang on it.
+/// The joint by which a node hangs on another one: its member, which of its ends is the node, and the other node.
+#[derive(Clone, Copy)]
+pub(super) struct Tie {
+    pub(super) member: usize,
+    pub(super) leaf: usize,
+    pub(super) root: usize,
+}
+
+/// The joint by which a node hangs, if it hangs on another one.
+fn tie_of<Y: Placed>(network: &Y, node: usize) -> Option<Tie> {
+    let tie = network.node(node).1.hangs_by;
+    (tie != NONE).then(|| {
+        let placement = network.placement(tie as usize);
+        let leaf = usize::from(placement.node_of(1) == node);
+        Tie { member: tie as usize, leaf, root: placement.node_of(1 - leaf) }
+    })
+}
+
+/// Goes to all nodes with the joints by which they hang. A node follows all nodes that hang on it.
+pub(super) fn from_leaves<Y: Placed>(network: &Y, mut each: impl FnMut(usize, Option<Tie>)) {
+    let count = network.sizes()[0];
+    // how many hang on each node
+    let mut waiting = network.per_node(0);
+    let waiting = waiting.as_mut();
+    for node in 0..count {
+        if let Some(tie) = tie_of(network, node) {
+            waiting[tie.root] += 1;
+        }
+    }
+    for first in 0..count {
+        let mut node = first;
+        // each node is left but once: it hangs on none then
+        while waiting[node] == 0 {
+            waiting[node] = NONE;
+            let tie = tie_of(network, node);
+            each(node, tie);
+            let Some(Tie { root, .. }) = tie else { break };
+            waiting[root] -= 1;
+            node = root;
+        }
+    }
+}
+
+/// Finds the motions of the joints by which nodes hang on others, given the motions of all other members.
 ///
 /// `values` has the values of the motions of each node.
 pub(super) fn joints<Y, S>(
@@ -118,37 +161,14 @@ pub(super) fn joints<Y, S>(
     Y: Placed,
     S: Frequency<Y::Parameter>,
 {
-    let above = |node: usize| {
-        let tie = network.node(node).1.hangs_by;
-        (tie != NONE).then(|| {
-            let placement = network.placement(tie as usize);
-            let leaf = usize::from(placement.node_of(1) == node);
-            (tie as usize, leaf, placement.node_of(1 - leaf))
-        })
-    };
-    let count = network.sizes()[0];
-    if (0..count).all(|node| above(node).is_none()) {
+    if (0..network.sizes()[0]).all(|node| network.node(node).1.hangs_by == NONE) {
         return;
     }
-    // how many hang on each node
-    let mut waiting = network.per_node(0);
-    let waiting = waiting.as_mut();
-    for node in 0..count {
-        if let Some((_, _, root)) = above(node) {
-            waiting[root] += 1;
+    from_leaves(network, |node, tie| {
+        if let Some(Tie { member, leaf, .. }) = tie {
+            members[member] = of_joint(network, solved, (node, &values(node)), (member, leaf), members);
         }
-    }
-    for first in 0..count {
-        let mut node = first;
-        // each node is left but once: it hangs on none then
-        while waiting[node] == 0 {
-            waiting[node] = NONE;
-            let Some((tie, leaf, root)) = above(node) else { break };
-            members[tie] = of_joint(network, solved, (node, &values(node)), (tie, leaf), members);
-            waiting[root] -= 1;
-            node = root;
-        }
-    }
+    });
 }
 
 /// The motion of a joint by which a node hangs on another one.
