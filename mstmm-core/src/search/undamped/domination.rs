@@ -13,7 +13,7 @@ use mstmm_plan::{Freedoms, Space, Support};
 
 /// Parts that are looked at in one visit of each system.
 const AT_ONCE: usize = 16;
-/// Roundings of the entries of two tensors that a pivot of their difference may have, which counts as zero then.
+/// Roundings that a minor of the difference of two tensors has to exceed: eight times the most that it has.
 const ROUNDINGS: f64 = 64.0;
 
 /// A part of a system.
@@ -303,19 +303,20 @@ fn by_body(
     Err(Wrong::Parameter("inertia", [inertia[off], other_inertia[off]]))
 }
 
-/// Whether the difference of two tensors xx, yy, zz, xy, yz, zx is definite beyond rounding.
+/// Whether the difference of two tensors xx, yy, zz, xy, yz, zx is definite beyond rounding: its leading minors are positive, Sylvester's criterion.
+///
+/// An entry of the difference has one rounding of itself, and where its second words count at most two of `ε²` of the tensors, which is nothing beside a diagonal of more than 64 ε of them.
+/// A product of three entries has six roundings at most, a sum of five products two more.
 fn is_no_less(soft: &[Exact; 6], stiff: &[Exact; 6]) -> bool {
     let [xx, yy, zz, xy, yz, zx]: [f64; 6] =
         core::array::from_fn(|entry| (soft[entry][0] - stiff[entry][0]) + (soft[entry][1] - stiff[entry][1]));
     let size = soft.iter().chain(stiff).fold(0.0, |sum, entry| sum + entry[0].abs());
-    let least = ROUNDINGS * f64::EPSILON * size;
-    if xx <= least {
-        return false;
-    }
-    let second = yy - xy * xy / xx;
-    if second <= least {
-        return false;
-    }
-    let mixed = yz - xy * zx / xx;
-    zz - zx * zx / xx - mixed * mixed / second > least
+    // each minor over the one before it is a pivot, which is beyond the rounding of the tensors, too
+    let beyond = |terms: &[f64], before: f64| {
+        let (sum, sizes) = terms.iter().fold((0.0, 0.0_f64), |(sum, sizes), term| (sum + term, sizes + term.abs()));
+        (sum > ROUNDINGS * f64::EPSILON * sizes.max(size * before)).then_some(sum)
+    };
+    let volume = [xx * yy * zz, 2.0 * xy * yz * zx, -(xx * yz * yz), -(yy * zx * zx), -(zz * xy * xy)];
+    let minors = beyond(&[xx], 1.0).and_then(|first| beyond(&[xx * yy, -(xy * xy)], first));
+    minors.and_then(|second| beyond(&volume, second)).is_some()
 }
