@@ -81,12 +81,8 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     pub fn first_frequencies<const N: usize>(&self) -> Result<List<FrequencyRange<Y::Parameter>, N>, ToleranceError> {
         let (soft, stiff) = (self.soft.first_frequencies::<N>()?, self.stiff.first_frequencies::<N>()?);
         let mut ranges = List::new();
-        for number in 0..N as u64 {
-            if let (Some(lowest), Some(highest)) = (of_number(&soft, number), of_number(&stiff, number)) {
-                // there is room for N
-                let _ = ranges.push(FrequencyRange { lowest, highest });
-            }
-        }
+        // there is room for as many
+        (0..N as u64).filter_map(|number| range(&soft, &stiff, number)).try_for_each(|range| ranges.push(range)).ok();
         Ok(ranges)
     }
 
@@ -97,10 +93,7 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     #[cfg(feature = "std")]
     pub fn frequencies(&self, count: usize) -> Result<std::vec::Vec<FrequencyRange<Y::Parameter>>, ToleranceError> {
         let (soft, stiff) = (self.soft.frequencies(count)?, self.stiff.frequencies(count)?);
-        let range = |number: u64| {
-            Some(FrequencyRange { lowest: of_number(&soft, number)?, highest: of_number(&stiff, number)? })
-        };
-        Ok((0..count as u64).filter_map(range).collect())
+        Ok((0..count as u64).filter_map(|number| range(&soft, &stiff, number)).collect())
     }
 
     /// How many frequencies a system of the box may have below ω [rad/s]: at least those of the stiff one, at most those of the soft one.
@@ -127,14 +120,13 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     }
 }
 
-/// The frequency of a number, from 0 on, in a list of roots with their multiplicities.
-fn of_number<T: Real>(roots: &[NaturalFrequency<T>], number: u64) -> Option<NaturalFrequency<T>> {
-    let mut left = number;
-    for root in roots {
-        if left < root.multiplicity {
-            return Some(*root);
-        }
-        left -= root.multiplicity;
-    }
-    None
+/// The range of the frequency of a number, from 0 on.
+fn range<T: Real>(
+    soft: &[NaturalFrequency<T>],
+    stiff: &[NaturalFrequency<T>],
+    number: u64,
+) -> Option<FrequencyRange<T>> {
+    let of_number =
+        |roots: &[NaturalFrequency<T>]| roots.iter().find(|root| number < root.index - 1 + root.multiplicity).copied();
+    Some(FrequencyRange { lowest: of_number(soft)?, highest: of_number(stiff)? })
 }
