@@ -1,6 +1,6 @@
 //! Accelerations of the ground and of supports, rates, and what begins under a load.
 
-use crate::models::{Cantilever, Portal, assert_close, number, reference};
+use crate::models::{Cantilever, Portal, assert_close, number, oscillator, reference};
 use mstmm::Complex;
 use mstmm::elements::{Damper, Spring};
 use mstmm::frame::{Frame, Section};
@@ -137,13 +137,7 @@ fn an_acceleration_of_the_ground_is_that_of_the_only_support() {
 #[test]
 fn one_mass_on_a_foot_that_shakes() {
     let (k, m, ratio) = (900.0, 4.0, 0.05);
-    let mut frame = Frame::new();
-    let [foot, mass] = [[0.0, 0.0], [1.0, 0.0]].map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
-    let ends = [foot.along([1.0, 0.0]), mass.along([1.0, 0.0])];
-    frame.member(ends[0], ends[1], Spring { stiffness: k });
-    frame.mass(mass, m);
-    frame.hold(mass, Freedoms::Y);
+    let (mut frame, [foot, mass]) = oscillator(k, m);
     let system = frame.build().unwrap();
     let roots = system.first_frequencies::<1>().unwrap();
     let ground = PlaneLoad::base_acceleration(Direction::x());
@@ -162,7 +156,7 @@ fn one_mass_on_a_foot_that_shakes() {
         assert_close(absolute.rate().unwrap().at(lambda).unwrap() * lambda, (drag + 1.0) / below, 1e-12);
     }
     // with a dashpot beside the spring instead of a ratio
-    frame.member(ends[0], ends[1], Damper { damping: 2.0 * ratio * (k * m).sqrt() });
+    frame.member(foot.along([1.0, 0.0]), mass.along([1.0, 0.0]), Damper { damping: 2.0 * ratio * (k * m).sqrt() });
     let dashpot = frame.build_damped().unwrap();
     let eigenvalues = dashpot.first_eigenvalues::<1>().unwrap();
     let by_dashpot = dashpot.modal_response::<2, _>(&eigenvalues, ground, mass.displacement_x()).unwrap();
@@ -206,14 +200,10 @@ fn slow_accelerations_are_weights() {
 #[test]
 fn a_dashpot_beside_the_foot_that_moves() {
     let (k, c, m) = (900.0, 30.0, 4.0);
-    let mut frame = Frame::new();
-    let [foot, mass, other] = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
+    let (mut frame, [foot, mass]) = oscillator(k, m);
+    let other = frame.point([2.0, 0.0]);
     frame.hold(other, Support::Fixed);
-    frame.member(foot.along([1.0, 0.0]), mass.along([1.0, 0.0]), Spring { stiffness: k });
     frame.member(mass.along([1.0, 0.0]), other.along([1.0, 0.0]), Damper { damping: c });
-    frame.mass(mass, m);
-    frame.hold(mass, Freedoms::Y);
     let system = frame.build_damped().unwrap();
     let eigenvalues = system.first_eigenvalues::<1>().unwrap();
     let motion = system.modal_response::<4, _>(&eigenvalues, foot.motion_x(), mass.displacement_x()).unwrap();

@@ -1,7 +1,7 @@
 //! Dislocations: influence lines, motions of supports, and that each works its internal force.
 #![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
-use crate::models::{Cantilever, Portal, assert_close};
+use crate::models::{self, Cantilever, Portal, assert_close};
 use mstmm::Complex;
 use mstmm::elements::{Spring, TorsionSpring};
 use mstmm::frame::{Frame, Section};
@@ -80,13 +80,7 @@ fn dislocations_of_trees_work_internal_forces() {
 fn a_slip_at_a_held_end_is_the_motion_of_its_support() {
     let cantilever = Cantilever {}.build().unwrap();
     let (clamp, tip) = (Cantilever::beam_1.input(), Cantilever::conn_tip);
-    let mut frame = Frame::new();
-    let [foot, end] = [0.0, 1.2].map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
-    frame.member(foot, end, Section::new().bending_stiffness(180.0).mass_per_length(2.5));
-    frame.member(end, mstmm::frame::Ground, Spring { stiffness: 350.0 });
-    frame.mass(end, 0.8);
-    let same = frame.build().unwrap();
+    let (same, [foot, end], _) = models::cantilever();
     for omega in [0.0, 5.0, 20.0, 400.0] {
         let moved = same.frequency_response(foot.motion_y(), end.displacement_y()).unwrap().at(omega).unwrap();
         let slipped = cantilever.frequency_response(clamp.slip(), tip.deflection()).unwrap().at(omega).unwrap();

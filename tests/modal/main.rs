@@ -4,6 +4,9 @@ mod base;
 mod damping;
 mod dislocations;
 mod models;
+#[expect(dead_code, reason = "some of what is random")]
+#[path = "../support/random.rs"]
+mod numbers;
 mod participation;
 mod random;
 mod ranges;

@@ -1,7 +1,11 @@
 //! The models of tests/data/answers.json, whose values are those of independent fields with 40 digits.
 #![expect(clippy::unwrap_used, reason = "a file that is not as it should be fails the test")]
 
+use core::f64::consts::TAU;
 use mstmm::Complex;
+use mstmm::elements::Spring;
+use mstmm::frame::{Frame, Ground, Line, Member, OfBeam, Plane, Point, PointMass, Section, Structure};
+use mstmm::network::{Freedoms, Support};
 use mstmm::prelude::*;
 use serde_json::Value;
 
@@ -23,6 +27,43 @@ system! {
     fixed -> conn a;
     pinned -> conn d;
     conn b -> point_mass 4 { mass: 100.0 };
+}
+
+/// The cantilever between places, with its foot, its tip and its beam: its support moves, and its weight has a bound.
+pub(crate) fn cantilever() -> (Structure<Line>, [Point<Line>; 2], Member<OfBeam>) {
+    let mut frame = Frame::new();
+    let [foot, tip] = [0.0, 1.2].map(|place| frame.point(place));
+    frame.hold(foot, Support::Fixed);
+    let beam = frame.member(foot, tip, Section::new().bending_stiffness(180.0).mass_per_length(2.5));
+    frame.member(tip, Ground, Spring { stiffness: 350.0 });
+    frame.mass(tip, 0.8);
+    (frame.build().unwrap(), [foot, tip], beam)
+}
+
+/// Three members at 120°, with a mass in the middle, which is the point.
+pub(crate) fn three_spokes() -> (Structure<Plane>, Point<Plane>) {
+    let mut frame = Frame::new();
+    let middle = frame.point([0.0, 0.0]);
+    let spoke = Section::new().axial_stiffness(3e7).bending_stiffness(2e5).mass_per_length(12.0);
+    for third in 0..3 {
+        let (sin, cos) = (f64::from(third) * TAU / 3.0 + 0.4).sin_cos();
+        let end = frame.point([2.0 * cos, 2.0 * sin]);
+        frame.hold(end, Support::Fixed);
+        frame.member(middle, end, spoke);
+    }
+    frame.body([middle], PointMass { mass: 40.0, inertia: 0.9 });
+    (frame.build().unwrap(), middle)
+}
+
+/// A mass that moves along x on a spring, with the foot of the spring and the mass.
+pub(crate) fn oscillator(stiffness: f64, mass: f64) -> (Frame<Plane>, [Point<Plane>; 2]) {
+    let mut frame = Frame::new();
+    let points @ [foot, moved] = [[0.0, 0.0], [1.0, 0.0]].map(|place| frame.point(place));
+    frame.hold(foot, Support::Fixed);
+    frame.member(foot.along([1.0, 0.0]), moved.along([1.0, 0.0]), Spring { stiffness });
+    frame.mass(moved, mass);
+    frame.hold(moved, Freedoms::Y);
+    (frame, points)
 }
 
 /// A part of the file.

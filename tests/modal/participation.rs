@@ -1,10 +1,10 @@
 //! Participation of modes: values of the file, and that all modes together have the mass that moves.
 #![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
-use crate::models::{Cantilever, Portal, assert_close, number, reference};
+use crate::models::{Cantilever, Portal, assert_close, number, reference, three_spokes};
 use mstmm::elements::Spring;
 use mstmm::elements::TorsionSpring;
-use mstmm::frame::{Frame, Hold, Pin, Plane, Point, PointMass, RigidBody, Roller, Section, Slider, Space, Tensor};
+use mstmm::frame::{Frame, Hold, Pin, Plane, Point, RigidBody, Roller, Section, Slider, Space, Tensor};
 use mstmm::motion::MotionError;
 use mstmm::network::{Freedoms, Support};
 use mstmm::prelude::*;
@@ -61,17 +61,7 @@ fn masses_of_a_portal_are_those_of_the_file() {
 #[test]
 fn a_multiple_root_has_one_mass_in_all_directions() {
     let part = reference("participation")["three_spokes"].clone();
-    let mut frame = Frame::new();
-    let middle = frame.point([0.0, 0.0]);
-    let spoke = Section::new().axial_stiffness(3e7).bending_stiffness(2e5).mass_per_length(12.0);
-    for third in 0..3 {
-        let (sin, cos) = (f64::from(third) * core::f64::consts::TAU / 3.0 + 0.4).sin_cos();
-        let end = frame.point([2.0 * cos, 2.0 * sin]);
-        frame.hold(end, Support::Fixed);
-        frame.member(middle, end, spoke);
-    }
-    frame.body([middle], PointMass { mass: 40.0, inertia: 0.9 });
-    let system = frame.build().unwrap();
+    let (system, _) = three_spokes();
     let roots = system.first_frequencies::<14>().unwrap();
     for direction in [Direction::x(), Direction::y()] {
         let participation = system.participation::<16, _>(&roots, direction).unwrap();

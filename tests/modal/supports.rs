@@ -1,10 +1,9 @@
 //! Motions of supports: what damps a mode moves with them.
 
-use crate::models::{Portal, assert_close};
+use crate::models::{Portal, assert_close, oscillator};
 use mstmm::Complex;
-use mstmm::elements::Spring;
 use mstmm::frame::{Frame, Section};
-use mstmm::network::{Freedoms, Support};
+use mstmm::network::Support;
 use mstmm::prelude::*;
 use mstmm::search::ProportionalDamping;
 
@@ -14,12 +13,7 @@ type C = Complex<f64>;
 #[test]
 fn a_ratio_damps_relative_to_the_support() {
     let (k, m, ratio) = (900.0, 4.0, 0.1);
-    let mut frame = Frame::new();
-    let [foot, mass] = [[0.0, 0.0], [1.0, 0.0]].map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
-    frame.member(foot.along([1.0, 0.0]), mass.along([1.0, 0.0]), Spring { stiffness: k });
-    frame.mass(mass, m);
-    frame.hold(mass, Freedoms::Y);
+    let (frame, [foot, mass]) = oscillator(k, m);
     let system = frame.build().unwrap();
     let roots = system.first_frequencies::<1>().unwrap();
     let omega = (k / m).sqrt();

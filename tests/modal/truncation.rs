@@ -1,11 +1,11 @@
 //! Bounds for what sums over modes leave out: values of the file, that they hold, and that they are attained.
 #![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
-use crate::models::{Cantilever, Portal, assert_close, number, reference};
-use crate::random::{Random, frame};
+use crate::models::{Cantilever, Portal, assert_close, cantilever, number, reference};
+use crate::numbers::Random;
+use crate::random::frame;
 use mstmm::Complex;
-use mstmm::elements::Spring;
-use mstmm::frame::{Frame, Ground, Line, Point, PointMass, RigidBody, Section, Structure};
+use mstmm::frame::{Frame, PointMass, RigidBody, Section};
 use mstmm::motion::{MotionError, TruncationError, Variation};
 use mstmm::network::Support;
 use mstmm::prelude::*;
@@ -98,17 +98,6 @@ fn the_bound_of_a_step_is_attained_by_a_rod() {
     assert_close(sum.to_step(2.0), number(&file["at_2"][1]), 1e-12);
 }
 
-/// The cantilever of the file between places, whose weight has a bound, too.
-fn cantilever() -> (Structure<Line>, Point<Line>, mstmm::frame::Member<mstmm::frame::OfBeam>) {
-    let mut frame = Frame::new();
-    let [foot, tip] = [0.0, 1.2].map(|place| frame.point(place));
-    frame.hold(foot, Support::Fixed);
-    let beam = frame.member(foot, tip, Section::new().bending_stiffness(180.0).mass_per_length(2.5));
-    frame.member(tip, Ground, Spring { stiffness: 350.0 });
-    frame.mass(tip, 0.8);
-    (frame.build().unwrap(), tip, beam)
-}
-
 #[test]
 fn bounds_of_a_record_hold() {
     let file = reference("truncation")["time_record"].clone();
@@ -120,7 +109,7 @@ fn bounds_of_a_record_hold() {
     assert_close(variation.total, number(&file["variation"]), 1e-14);
     assert_close(variation.of_slope, number(&file["variation_of_slope"]), 1e-13);
 
-    let (model, tip, beam) = cantilever();
+    let (model, [_, tip], beam) = cantilever();
     let all = model.first_frequencies::<16>().unwrap();
     let ground = PlaneLoad::base_acceleration(Direction::y());
     let ratio = number(&file["ratio_left_out"]);
@@ -174,9 +163,8 @@ fn lists_that_miss_a_mode_and_loads_without_a_bound_are_refused() {
     }
     assert_eq!(of(&roots, load, 500.0), Err(TruncationError::Missing { counted: 3, listed: 4 }));
     assert_eq!(of(&roots[..3], Load::self_weight(), 500.0), Err(TruncationError::Spread));
-    let (model, tip, _) = cantilever();
+    let (model, [foot, tip], _) = cantilever();
     let roots = model.first_frequencies::<3>().unwrap();
-    let foot = mstmm::motion::PlanePoint::node(0);
     let refused = model.truncation::<3>(&roots, tip.force_y(), foot.reaction_y(), 500.0);
     assert!(matches!(refused, Err(TruncationError::Motion(_))));
 }
@@ -269,7 +257,7 @@ fn bounds_hold_for_all_kinds_of_loads_and_entries() {
 /// For the entry that works with the load the bound is what is left out, at the reach: nothing smaller would do.
 #[test]
 fn bounds_are_attained_at_the_reach() {
-    let (model, tip, beam) = cantilever();
+    let (model, [_, tip], beam) = cantilever();
     let roots = model.first_frequencies::<3>().unwrap();
     let reach = 520.0;
     let pairs = [
@@ -302,7 +290,7 @@ fn bounds_are_attained_at_the_reach() {
 /// Just above the last root of the list the response and its mode nearly cancel: the bound grows by what is known of the root, and holds.
 #[test]
 fn bounds_hold_just_above_a_listed_root() {
-    let (model, tip, beam) = cantilever();
+    let (model, [_, tip], beam) = cantilever();
     let roots = model.first_frequencies::<3>().unwrap();
     let last = roots[2].omega;
     for (load, entry) in [(tip.force_y(), tip.displacement_y()), (beam.input().slip(), beam.input().shear())] {
@@ -341,13 +329,13 @@ fn assert_bounds_hold(seeds: core::ops::Range<u64>) {
     for seed in seeds {
         let own = frame(seed, 0.0, || 0.0);
         let system = own.frame.build().unwrap();
-        let mut random = Random::new(seed + 1000);
-        let modes = 3 + (6.0 * random.next()) as usize;
+        let mut random = Random(seed + 1000);
+        let modes = 3 + (6.0 * random.unit()) as usize;
         let Ok(all) = system.frequencies(modes + 1) else { continue };
         let roots = &all[..all.len() - 1];
-        let reach = roots[roots.len() - 1].omega * (1.0 - random.next()) + all[all.len() - 1].omega * random.next();
+        let reach = roots[roots.len() - 1].omega * (1.0 - random.unit()) + all[all.len() - 1].omega * random.unit();
         let reach = reach.clamp(roots[roots.len() - 1].omega * (1.0 + 1e-6), all[all.len() - 1].omega * (1.0 - 1e-9));
-        let mut pick = |count: usize| (random.next() * count as f64) as usize;
+        let mut pick = |count: usize| random.below(count);
         let (point, other) = (own.points[1 + pick(own.points.len() - 1)], own.points[1 + pick(own.points.len() - 1)]);
         let member = own.members[pick(own.members.len())];
         let twin = own.members[pick(own.members.len())];
