@@ -12,8 +12,8 @@ use crate::structure::{Chart, Units, unit_of};
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix2;
 
-/// The gyroscopic moment of a [`Disc`](crate::elements::Disc) whose mass and inertia are those of its point: `M = I_p Ω ω (Θ_O - Θ_I)`, with a
-/// whirl's ω and the other end at rest.
+/// The gyroscopic moment of a [`Disc`](crate::elements::Disc) at the ω of a whirl: `M = I_p Ω ω (Θ_O - Θ_I)`. Its point bears the mass and the inertia of the disc. The
+/// other end rests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gyroscope<T> {
     /// Polar moment of inertia I_p about the axis [kg m²], zero or positive.

@@ -1,4 +1,4 @@
-//! Members of rotors whose size the program decides: those of other frames, and what spins.
+//! Members of rotors at run time: members of other frames, beams that spin, discs and seals.
 
 use crate::element::{
     ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
@@ -13,7 +13,7 @@ use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, R
 use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 
-/// Declares an enum of the members of a rotor: those that stand, beams that spin, and what joins motions one by one.
+/// Declares an enum of the members of a rotor: members that stand still, beams that spin, and connectors of one motion each.
 macro_rules! rotor_member {
     ($(#[$doc:meta])* $name:ident, $built:ident of $standing:ident at $frequency:ident: $($beam:ident)* ; $($connector:ident)*) => {
         $(#[$doc])*

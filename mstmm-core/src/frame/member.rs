@@ -114,7 +114,7 @@ pub(super) const GENERAL: [Parameter; 5] = [
 pub(super) const LOSSES: [Parameter; 3] =
     [Parameter::loss_factor, Parameter::kelvin_voigt_time, Parameter::external_damping];
 
-/// The parameters that a beam in the plane has not: those of space, and those of shafts that spin.
+/// The parameters that a beam in the plane has not: parameters of beams in space and of shafts that spin.
 const ELSEWHERE: [Parameter; 13] = [
     Parameter::polar_inertia_per_length,
     Parameter::speed,

@@ -10,7 +10,7 @@ use core::fmt;
 pub enum TruncationError {
     /// The list has not all modes below the reach, one after the other, or it has more.
     Missing {
-        /// The number of modes below the reach, as it is proven.
+        /// The proven number of modes below the reach.
         counted: u64,
         /// The number of modes of the list up to the first gap in its indices.
         listed: u64,

@@ -1,4 +1,4 @@
-//! Exact responses of systems that are damped in proportion to inertias and stiffnesses: those of the undamped system at another frequency.
+//! Exact responses of a system with damping in proportion: the system without damping has the same motion at another frequency.
 
 use crate::answer::facts::Facts;
 use crate::answer::frequency_response::FrequencyResponse;

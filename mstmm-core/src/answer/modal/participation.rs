@@ -58,7 +58,7 @@ impl<T: Real, const N: usize> Participation<T, N> {
         Ok(Participation { factors, total })
     }
 
-    /// The factor of each shape, those of a multiple root one after the other.
+    /// The factor of each shape. The shapes of a multiple root follow one after the other.
     pub fn factors(&self) -> &[ParticipationFactor<T>] {
         &self.factors
     }

@@ -17,8 +17,8 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Ok(ModalResponse { carried: self.facts.along.ok_or(MotionError::NotOfGround)?, ..*self })
     }
 
-    /// The response of the rate of the entry, such as a velocity. Modes that are not in the list follow the rate of the load; of those that follow it late nothing is
-    /// left.
+    /// The response of the rate of the entry, such as a velocity. Modes that are not in the list follow the rate of the load. Where they follow the load
+    /// late, they have no part in the rate.
     ///
     /// Damping comes first: the rate of a response with damping is another one.
     ///

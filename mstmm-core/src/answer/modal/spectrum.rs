@@ -227,7 +227,7 @@ impl<T: Real, const N: usize> SpectralPeak<T, N> {
         }
     }
 
-    /// The peak of all modes, with those that are not in the list: by squares, or added in a sum of all.
+    /// The peak of all modes. The part of modes that are not in the list adds by its square; in an `AbsoluteSum` it adds by its size.
     pub fn total(&self) -> T {
         let modes = self.of_modes();
         match self.combination {

@@ -20,7 +20,8 @@ use crate::search::{NaturalFrequencies, NaturalFrequency, Undamped};
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Roundings of a response and of a sum of modes that a difference of both may have.
+/// Roundings of a response and of a sum of modes that a difference of both may have. They allow for responses and shapes that are rounded to one word; no bound of them is
+/// known.
 const ROUNDINGS: f64 = 64.0;
 
 /// A bound for what a sum over modes leaves out, in frequency and in time.

@@ -89,7 +89,7 @@ impl<T: Real> DampedLine<T> {
         self.line.section.load_work(self.reduced(motion.x), &self.reduced_ends(motion))
     }
 
-    /// Displacement and force at a distance from the input end under so many times that load, which acts over e on the line without damping.
+    /// Displacement and force at a distance from the input end under a load per length. The line without damping bears the load over e.
     pub(crate) fn state_under<S: ComplexFrequency<T> + Oscillation<T>>(
         &self,
         motion: &Stretch<S>,
