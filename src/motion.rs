@@ -6,13 +6,13 @@
 #[cfg(feature = "std")]
 pub use mstmm_core::record_spectrum;
 pub use mstmm_core::{
-    Combination, Coordinate, Direction, Directions, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint,
-    DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion, ExtendedTree, Extent,
-    ForceHistory, FrameAnalysis, InSpace, Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
-    MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode, PlaneEntry, PlaneFrequency,
-    PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum, Root, Sample, ShapeList,
-    Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree, Truncation,
-    TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
+    AxialForceError, Combination, Coordinate, Direction, Directions, Drawn, DrawnBody, DrawnEnd, DrawnMember,
+    DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion,
+    ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError, MemberEnd, MemberLabel, MemberState,
+    ModalAnalysis, MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode, PlaneEntry,
+    PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum, Root,
+    Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree,
+    Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
 };
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
@@ -41,6 +41,39 @@ pub use mstmm_core::{
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub use mstmm_core::Load;
+
+/// The axial forces of members under loads at rest: what they are, and the structure under them, its critical loads, its sway (P-Δ).
+///
+/// ```
+/// use mstmm::prelude::*;
+/// use mstmm::search::critical_loads;
+///
+/// system! {
+///     /// A portal whose members bear axial forces.
+///     struct Portal {}
+///     section steel { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0, axial_force: 0.0 }
+///     fixed at (0.0, 0.0) -> beam 1 { ..steel } -> conn b at (0.0, 3.0) -> beam 2 { ..steel } -> conn c at (4.0, 3.0);
+///     conn c <- beam 3 { ..steel } <- pinned at (4.0, 0.0);
+/// }
+///
+/// let portal = Portal {}.build()?;
+/// let dead = [(Portal::conn_b.force_y(), -2e5), (Portal::conn_c.force_y(), -2e5), (Portal::beam_2.uniform_load_y(), -1e4)];
+/// let forces = portal.axial_forces(&dead)?;
+/// assert!((forces.get(Portal::beam_1)? + 219_516.0577).abs() < 1e-3);
+///
+/// // the portal buckles sideways under twice the loads
+/// let factors = critical_loads::<1, _>(0.0..=4.0, |factor| portal.with_axial_forces(&(&forces * factor)))?;
+/// assert!((factors[0].factor - 2.07810721832793).abs() < 1e-13);
+///
+/// // under the loads it sways almost twice as far, and its frequency falls
+/// let loaded = portal.settled_under(&dead)?;
+/// let sway = |portal: &PortalSystem| portal.frequency_response(Portal::conn_b.force_x(), Portal::conn_b.displacement_x())?.at(0.0);
+/// assert!((sway(&loaded)? / sway(&portal)? - 1.9).abs() < 0.05);
+/// let [unloaded, under] = [portal.first_frequencies::<1>()?[0].omega, loaded.first_frequencies::<1>()?[0].omega];
+/// assert!(under < 0.75 * unloaded);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub use mstmm_core::AxialForces;
 
 /// A load on a plane model: a force or a moment at a point, a motion of a support, a load along a member, or the weight of the model.
 ///

@@ -45,6 +45,7 @@ pub use answer::modal::spectrum::{
 };
 pub use answer::modal::truncation::{Truncation, Variation};
 pub use answer::mode_shape::{ModeShape, ShapeList};
+pub use answer::network::axial_forces::AxialForces;
 pub use answer::network::geometry::geometry_slopes;
 pub use answer::network::inside::MemberState;
 pub use answer::network::questions::FrameAnalysis;
@@ -80,6 +81,7 @@ pub use elements::shared::bending_chart::BendingWaves;
 pub use elements::shared::chart_scalar::ChartScalar;
 pub use elements::shared::longitudinal_chart::LongitudinalWaves;
 pub use elements::{AnyElement, AnyUndamped};
+pub use model::axial_force_error::AxialForceError;
 pub use model::chain_rule::{Chain, ChainRule, Fields, NamedFields};
 pub use model::direction::Direction;
 pub use model::end_motion::EndMotion;
@@ -131,10 +133,10 @@ pub use pass::network::Vectors;
 pub use pass::network::{
     Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
     Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
-    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Seat,
-    Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane, SketchedPoint,
-    SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel, build_member, network_pass, overall_determinant,
-    overall_matrix, visit_network,
+    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Prestressed,
+    Seat, Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane,
+    SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel, build_member, network_pass,
+    overall_determinant, overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;

@@ -18,7 +18,30 @@ pub(crate) struct RandomFrame {
 }
 
 /// The frame of a seed, each parameter at a share of a tolerance, from -1 for the soft and heavy end to 1 for the stiff and light one.
-pub(crate) fn frame(seed: u64, tolerance: f64, mut share: impl FnMut() -> f64) -> RandomFrame {
+pub(crate) fn frame(seed: u64, tolerance: f64, share: impl FnMut() -> f64) -> RandomFrame {
+    with_sections(seed, tolerance, share, |_, section| section)
+}
+
+/// The frame of a seed whose members have axial forces, in their order.
+pub(crate) fn frame_under(seed: u64, forces: &[f64]) -> RandomFrame {
+    with_sections(
+        seed,
+        0.0,
+        || 0.0,
+        |member, section| match forces[member] {
+            0.0 => section,
+            force => section.axial_force(force),
+        },
+    )
+}
+
+/// The frame of a seed, with what a function makes of the section of each member.
+fn with_sections(
+    seed: u64,
+    tolerance: f64,
+    mut share: impl FnMut() -> f64,
+    section_of: impl Fn(usize, Section) -> Section,
+) -> RandomFrame {
     let mut random = Random(seed);
     let mut up = |value: f64| value * (1.0 + tolerance * share());
     let mut frame = Frame::new();
@@ -36,9 +59,9 @@ pub(crate) fn frame(seed: u64, tolerance: f64, mut share: impl FnMut() -> f64) -
                 .shear_stiffness(up(about(&mut random, 3e3)))
                 .rotary_inertia(1.0 / up(1.0 / about(&mut random, 0.01)));
         }
-        members.push(frame.member(points[k - 1], points[k], section));
+        members.push(frame.member(points[k - 1], points[k], section_of(members.len(), section)));
         if k > 1 && random.chance(0.5) {
-            members.push(frame.member(points[k - 2], points[k], section));
+            members.push(frame.member(points[k - 2], points[k], section_of(members.len(), section)));
         }
     }
     frame.hold(points[0], Support::Fixed);

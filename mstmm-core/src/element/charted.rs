@@ -116,6 +116,14 @@ pub trait MemberElement: Copy + Debug {
     /// Whether it stands at one place, with the axes of the plane where it has no direction; else it spans two places.
     fn is_joint(&self) -> bool;
 
+    /// The member under a further axial force \[N\], tension positive: the sum of two words. None where it bears none.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] where both forces together are out of the range of the parameter.
+    fn under_axial_force(_built: Self::Built, _force: [f64; 2]) -> Result<Option<Self::Built>, InvalidParameter> {
+        Ok(None)
+    }
+
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates);
 

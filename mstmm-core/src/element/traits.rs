@@ -44,6 +44,17 @@ pub trait Element: Sized {
     /// [`InvalidParameter`] names the first parameter out of its range, with its value.
     fn build(self) -> Result<Self::Built, InvalidParameter>;
 
+    /// Adds an axial force \[N\], tension positive, to that which the element has: the sum of two words. Returns whether the element bears one.
+    ///
+    /// By default it bears none, and is what it was.
+    ///
+    /// # Errors
+    /// [`InvalidParameter`] where both forces together are out of the range of the parameter.
+    #[inline]
+    fn add_axial_force(_built: &mut Self::Built, _force: [f64; 2]) -> Result<bool, InvalidParameter> {
+        Ok(false)
+    }
+
     /// Adds the element's stiffnesses and masses to the estimates from which searches take their first steps.
     #[inline]
     fn estimate(_built: &Self::Built, _bounds: &mut FrequencyEstimates) {}

@@ -141,6 +141,20 @@ macro_rules! any_member {
                 })
             }
 
+            /// A beam without an axial force becomes one with it.
+            fn under_axial_force(built: $built<T>, force: [f64; 2]) -> Result<Option<$built<T>>, InvalidParameter> {
+                Ok(match built {
+                    $built::Beam(beam) => Some($built::GeneralInPlane(beam.under_axial_force(T::of_words(force)).build()?)),
+                    $($built::$joint(_) => None,)*
+                    $($built::$beam(mut beam) => {
+                        <$kind as Element>::add_axial_force(&mut beam, force)?.then_some($built::$beam(beam))
+                    })*
+                    $($built::$connector(mut line) => {
+                        <$connector<T> as Element>::add_axial_force(&mut line, force)?.then_some($built::$connector(line))
+                    })*
+                })
+            }
+
             fn name(&self) -> &'static str {
                 match self {
                     $name::Beam(_) => "beam",

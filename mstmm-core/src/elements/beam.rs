@@ -52,6 +52,13 @@ pub struct BuiltBeam<T> {
     length_units: Units<T>,
 }
 
+impl<T: Copy> BuiltBeam<T> {
+    /// What the beam was built of.
+    pub(crate) fn parameters(&self) -> Beam<T> {
+        self.parameters
+    }
+}
+
 impl<T: Parameter> Element for Beam<T> {
     type State = Bending;
     type Built = BuiltBeam<T>;

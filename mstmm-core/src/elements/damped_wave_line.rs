@@ -12,7 +12,7 @@ use crate::elements::shared::dissipation::Dissipation;
 use crate::elements::shared::line_forms::unit_of;
 use crate::elements::shared::line_step::through_waves;
 use crate::elements::shared::rod_motion::{Stretch, path_state};
-use crate::elements::shared::uniform_line::{LineSection, LineWaves, line_chart};
+use crate::elements::shared::uniform_line::{LineSection, LineWaves, axial_force_of_line, line_chart};
 use crate::model::{
     EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, StateSpace, Translation,
 };
@@ -81,6 +81,8 @@ macro_rules! damped_wave_lines {
                 dissipation.check()?;
                 Ok(DampedLine { line: section.build(names)?, dissipation })
             }
+
+            axial_force_of_line!(DampedLine $stiffness of line);
 
             fn estimate(built: &DampedLine<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates, [FrequencyEstimates::$stiffness_estimate, FrequencyEstimates::$inertia_estimate]);

@@ -69,6 +69,13 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
         Ok(built)
     }
 
+    /// Adds an axial force.
+    fn add_axial_force(&mut self, force: [f64; 2]) -> Result<(), InvalidParameter> {
+        let axial_force = self.parameters.axial_force + T::of_words(force);
+        *self = BuiltGeneralBeam::new(BeamParameters { axial_force, ..self.parameters }, self.shear_stiffness)?;
+        Ok(())
+    }
+
     fn estimate(&self, estimates: &mut FrequencyEstimates) {
         let BeamParameters { length, bending_stiffness, mass_per_length, rotary_inertia, .. } = self.parameters;
         let [l, ei, m, r] = [length, bending_stiffness, mass_per_length, rotary_inertia].map(T::to_f64);

@@ -1,7 +1,10 @@
 //! Elements of a line in the plane, where they stretch as well.
 
 use crate::element::{ByName, Charted, Element, MemberNumbers, TransferMatrix};
+use crate::elements::beam::BuiltBeam;
 use crate::elements::shared::chart_scalar::ChartScalar;
+use crate::elements::shared::uniform_line::UniformLine;
+use crate::elements::{Beam, GeneralBeam};
 use crate::model::{Extent, FrequencyEstimates, InvalidParameter, Planar, StateSpace};
 use crate::number::{FrequencyPowers, Parameter, Single};
 use crate::structure::Chart;
@@ -74,6 +77,10 @@ impl<B: Stretching> Element for InPlane<B> {
         Ok(BuiltInPlane { across, along })
     }
 
+    fn add_axial_force(built: &mut Self::Built, force: [f64; 2]) -> Result<bool, InvalidParameter> {
+        B::add_axial_force(&mut built.across, force)
+    }
+
     fn estimate(built: &Self::Built, estimates: &mut FrequencyEstimates) {
         B::estimate(&built.across, estimates);
         let [length, axial_stiffness] = built.along.length_and_stiffness();
@@ -87,6 +94,25 @@ impl<B: Stretching> Element for InPlane<B> {
     fn member_numbers(built: &Self::Built) -> MemberNumbers {
         let [_, axial_stiffness] = built.along.length_and_stiffness();
         B::member_numbers(&built.across).stretching(axial_stiffness.words())
+    }
+}
+
+impl<T: Parameter> BuiltInPlane<BuiltBeam<T>, UniformLine<T>> {
+    /// The beam under an axial force.
+    pub(crate) fn under_axial_force(&self, axial_force: T) -> InPlane<GeneralBeam<T>> {
+        let Beam { length, bending_stiffness, mass_per_length } = self.across.parameters();
+        let [_, axial_stiffness] = self.along.length_and_stiffness();
+        let across = GeneralBeam {
+            length,
+            bending_stiffness,
+            mass_per_length,
+            shear_stiffness: T::from_f64(f64::INFINITY),
+            rotary_inertia: T::zero(),
+            axial_force,
+            foundation_stiffness: T::zero(),
+            foundation_shear_stiffness: T::zero(),
+        };
+        InPlane { axial_stiffness, across }
     }
 }
 

@@ -90,6 +90,15 @@ macro_rules! rotor_member {
                 })
             }
 
+            fn under_axial_force(built: $built<T>, force: [f64; 2]) -> Result<Option<$built<T>>, InvalidParameter> {
+                Ok(match built {
+                    $built::Standing(built) => {
+                        <$standing<T> as MemberElement>::under_axial_force(built, force)?.map($built::Standing)
+                    }
+                    _ => None,
+                })
+            }
+
             fn name(&self) -> &'static str {
                 match self {
                     $name::Standing(member) => member.name(),

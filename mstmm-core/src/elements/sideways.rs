@@ -47,6 +47,10 @@ impl<B: Stretching> Element for Sideways<B> {
         self.across.build()
     }
 
+    fn add_axial_force(built: &mut B::Built, force: [f64; 2]) -> Result<bool, InvalidParameter> {
+        B::add_axial_force(built, force)
+    }
+
     fn estimate(built: &B::Built, estimates: &mut FrequencyEstimates) {
         B::estimate(built, estimates);
     }

@@ -68,6 +68,11 @@ macro_rules! twist {
                 shaft!($shaft { length, torsional_stiffness, inertia_per_length, $($loss,)* }).build().map_err(of_beam)
             }
 
+            /// An axial force does not act on the twist.
+            fn add_axial_force(_: &mut $built<T>, _: [f64; 2]) -> Result<bool, InvalidParameter> {
+                Ok(true)
+            }
+
             fn estimate(built: &$built<T>, estimates: &mut FrequencyEstimates) {
                 <$shaft<T> as Element>::estimate(built, estimates);
             }

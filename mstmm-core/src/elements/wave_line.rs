@@ -10,7 +10,7 @@ use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
 use crate::elements::shared::line_step::through_waves;
 use crate::elements::shared::rod_motion::{Stretch, path_state};
-use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine};
+use crate::elements::shared::uniform_line::{LineSection, LineWaves, UniformLine, axial_force_of_line};
 use crate::model::{EndMotion, Ends, Extent, FrequencyEstimates, InvalidParameter, Rotation, State, Translation};
 use crate::number::{Frequency, FrequencyPowers, Oscillation, Parameter, Real, Single};
 use crate::structure::Chart;
@@ -124,6 +124,8 @@ macro_rules! wave_lines {
                 };
                 section.build([stringify!($length), stringify!($stiffness), stringify!($inertia), stringify!($($foundation)?)])
             }
+
+            axial_force_of_line!(UniformLine $stiffness of);
 
             fn estimate(built: &UniformLine<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates, [FrequencyEstimates::$stiffness_estimate, FrequencyEstimates::$inertia_estimate]);

@@ -12,12 +12,12 @@ use crate::frame::entries::{Body, Frame};
 use crate::frame::error::{BuildError, BuildErrors, Mistake};
 use crate::frame::in_space::{called_in, name_in};
 use crate::frame::point::InFrame;
-use crate::model::{FrequencyEstimates, Handle, MotionError, Skew, Spot, Tied};
+use crate::model::{FrequencyEstimates, Handle, InvalidParameter, MotionError, Skew, Spot, Tied};
 use crate::number::{Frequency, FrequencyPowers, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::network::{
     Motions, Network, NetworkError, Part, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement,
-    StiffnessModel, Vectors,
+    Prestressed, StiffnessModel, Vectors,
 };
 use crate::pass::searched::{ComplexPasses, RealPasses, Spectrum, Undamped};
 use crate::proof::visit::Visitor;
@@ -320,6 +320,21 @@ impl<D, E: MemberElement> Framework<D, E> {
     /// The index of what a handle of its frame means.
     fn own(&self, Handle { index, frame }: Handle) -> Result<usize, MotionError> {
         if frame == self.number { Ok(index) } else { Err(MotionError::OtherFrame { index }) }
+    }
+}
+
+impl<D: Dimension, E: MemberElement<Parameter = f64>> Prestressed for Framework<D, E> {
+    fn add_axial_force(&mut self, member: usize, force: [f64; 2]) -> Option<Result<bool, InvalidParameter>> {
+        self.network.add_axial_force(member, force)
+    }
+
+    fn describe(&mut self) {
+        self.network.describe();
+    }
+
+    fn called(&self, member: usize) -> (Spot, &'static str) {
+        let (_, kind) = self.network.called(member);
+        (Spot::Member(self.first_parts.partition_point(|part| *part <= member).saturating_sub(1)), kind)
     }
 }
 

@@ -56,6 +56,8 @@ pub enum Requirement {
     LeastMoment,
     /// The sine of the angle between the axis of a member and its `up`: the z axis of the member is not along it.
     Orientation,
+    /// Of a structure with as many nodes and members as this one.
+    SameStructure,
 }
 
 impl fmt::Display for Requirement {
@@ -74,6 +76,7 @@ impl fmt::Display for Requirement {
             Requirement::Apart { from, to } => write!(f, "positive and finite: {from} and {to} are at one place"),
             Requirement::Direction => write!(f, "a direction, whose largest part is between 1e-70 and 1e70"),
             Requirement::LeastMoment => write!(f, "the inertia of a body, whose moment about no axis is negative"),
+            Requirement::SameStructure => write!(f, "the axial force of a member of this structure"),
             Requirement::Orientation => {
                 write!(f, "at an angle to that: name another `up`, a vector that becomes the z axis")
             }
@@ -185,7 +188,7 @@ impl Requirement {
         let reciprocal = || (T::one() / value).to_f64();
         let number = value.to_f64();
         let valid = match self {
-            Requirement::Finite => true,
+            Requirement::Finite | Requirement::SameStructure => true,
             Requirement::Positive | Requirement::Rescale | Requirement::Apart { .. } => number > 0.0,
             Requirement::Direction => is_size_of_direction(number),
             Requirement::Invertible => number > 0.0 && reciprocal().is_finite(),

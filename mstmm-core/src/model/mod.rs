@@ -1,6 +1,7 @@
 //! What a model is, with numbers: states, labels, parameters with their errors, estimates of frequencies.
 
 pub(crate) mod asked;
+pub(crate) mod axial_force_error;
 pub(crate) mod chain_rule;
 pub(crate) mod direction;
 pub(crate) mod dislocation;
@@ -26,6 +27,7 @@ pub(crate) mod tolerance_error;
 pub(crate) mod truncation_error;
 pub(crate) mod turns;
 
+pub(crate) use axial_force_error::AxialForceError;
 pub(crate) use chain_rule::{Chain, Fields, NamedFields};
 pub(crate) use direction::Direction;
 pub(crate) use end_motion::EndMotion;

@@ -24,6 +24,12 @@ pub trait Parameter: Scalar {
         [self.to_f64(), 0.0]
     }
 
+    /// The sum of two words; in numbers of one word, rounded.
+    #[inline]
+    fn of_words([hi, lo]: [f64; 2]) -> Self {
+        Self::from_f64(hi) + Self::from_f64(lo)
+    }
+
     /// `self - a b c`, and what rounding takes from it, where there is an extended precision. The difference may be far smaller than the product.
     #[inline]
     fn minus_product(self, [a, b, c]: [Self; 3]) -> [Self; 2] {

@@ -5,6 +5,7 @@ mod numbers;
 mod overall;
 mod own;
 mod points;
+mod prestress;
 mod sensitivity;
 mod sketch;
 mod system;
@@ -50,6 +51,7 @@ pub(crate) fn located(
     let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
     let width = own::width(width, &names);
     let owned = own::own(network, skeleton, &names);
+    let prestressed = prestress::prestressed(skeleton, &names);
     let placed = system::placed(model, skeleton, &width, &names);
     let drawn = drawn::drawn(model, &names);
     let charts = system::charts(skeleton, &names);
@@ -70,6 +72,7 @@ pub(crate) fn located(
             #owned
             #build
             #system
+            #prestressed
             #placed
             #drawn
             #charts
@@ -133,12 +136,22 @@ fn answers_of_members(
     names: &Names,
     answer: impl Fn(&TokenStream, Span) -> TokenStream,
 ) -> TokenStream {
+    of_members(skeleton, names, &quote_spanned!(names.here=> &), answer)
+}
+
+/// What a type says of the member of an index, given how `built` is borrowed.
+fn of_members(
+    skeleton: &Skeleton<'_>,
+    names: &Names,
+    borrowed: &TokenStream,
+    answer: impl Fn(&TokenStream, Span) -> TokenStream,
+) -> TokenStream {
     let types = by_type(skeleton, names);
     let answers = types.iter().map(|members| {
         let answer = answer(&members[0].1.kind(names), members[0].1.span(names));
         let cases = members.iter().map(|(index, _)| {
             let field = field(*index, names.here);
-            quote_spanned!(names.here=> #index => ::core::option::Option::Some(&self.#field))
+            quote_spanned!(names.here=> #index => ::core::option::Option::Some(#borrowed self.#field))
         });
         quote_spanned! {names.here=>
             let built = match member {

@@ -135,6 +135,7 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
         let numbers = #private::#of_model::numbers(self);
         let mut system = #private::#of_model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
         #(#estimates)*
+        system.estimates.finish();
     };
     let doc = [
         "Validates all parameters and builds the system.",
@@ -148,7 +149,7 @@ fn trait_of_model(plan: &Plan<'_>, names: &Names) -> Ident {
     Ident::new(if plan.spins() { "RotorModel" } else { "Model" }, names.here)
 }
 
-/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system without the last estimates. A rotor
+/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system. A rotor
 /// has it twice.
 pub(super) fn build_functions(
     model: &Model,
@@ -187,7 +188,6 @@ pub(super) fn build_functions(
                 &self,
             ) -> ::core::result::Result<#built_as, #private::ParameterError> {
                 #body
-                system.estimates.finish();
                 ::core::result::Result::Ok(#result)
             }
         }

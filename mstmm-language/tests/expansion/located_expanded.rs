@@ -325,21 +325,7 @@ const _: () = {
                 skeleton,
                 estimates: ::core::default::Default::default(),
             };
-            system.skeleton.estimate(&mut system.estimates);
-            system
-                .skeleton
-                .describe::<
-                    mstmm::__private::elements::InPlane<
-                        mstmm::__private::elements::Beam<T>,
-                    >,
-                >(0usize, &system.member_0, &mut system.estimates);
-            system
-                .skeleton
-                .describe::<
-                    mstmm::__private::elements::Spring<T>,
-                >(1usize, &system.member_1, &mut system.estimates);
-            system.skeleton.arrange(&ORDER.order());
-            system.estimates.finish();
+            mstmm::__private::Prestressed::describe(&mut system);
             ::core::result::Result::Ok(system)
         }
     }
@@ -367,6 +353,66 @@ const _: () = {
         }
         fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
+        }
+    }
+    #[automatically_derived]
+    impl<T: mstmm::__private::Real> mstmm::__private::Prestressed for MastSystem<T> {
+        fn add_axial_force(
+            &mut self,
+            member: ::core::primitive::usize,
+            force: [::core::primitive::f64; 2],
+        ) -> ::core::option::Option<
+            ::core::result::Result<
+                ::core::primitive::bool,
+                mstmm::__private::InvalidParameter,
+            >,
+        > {
+            let built = match member {
+                0usize => ::core::option::Option::Some(&mut self.member_0),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    <mstmm::__private::elements::InPlane<
+                        mstmm::__private::elements::Beam<T>,
+                    > as mstmm::__private::Element>::add_axial_force(built, force),
+                );
+            }
+            let built = match member {
+                1usize => ::core::option::Option::Some(&mut self.member_1),
+                _ => ::core::option::Option::None,
+            };
+            if let ::core::option::Option::Some(built) = built {
+                return ::core::option::Option::Some(
+                    <mstmm::__private::elements::Spring<
+                        T,
+                    > as mstmm::__private::Element>::add_axial_force(built, force),
+                );
+            }
+            ::core::option::Option::None
+        }
+        fn describe(&mut self) {
+            self.estimates = ::core::default::Default::default();
+            self.skeleton.estimate(&mut self.estimates);
+            self.skeleton
+                .describe::<
+                    mstmm::__private::elements::InPlane<
+                        mstmm::__private::elements::Beam<T>,
+                    >,
+                >(0usize, &self.member_0, &mut self.estimates);
+            self.skeleton
+                .describe::<
+                    mstmm::__private::elements::Spring<T>,
+                >(1usize, &self.member_1, &mut self.estimates);
+            self.estimates.finish();
+            self.skeleton.arrange(&ORDER.order());
+        }
+        fn called(
+            &self,
+            member: ::core::primitive::usize,
+        ) -> (mstmm::__private::Spot, &'static ::core::primitive::str) {
+            let name = SKETCH.members[member].name;
+            (mstmm::__private::Spot::Named(name), name)
         }
     }
     #[automatically_derived]

@@ -77,5 +77,9 @@ struct Rotors;
 struct FramesInSpace;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/stability.md")]
+struct Stability;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/tolerances.md")]
 struct Tolerances;

@@ -1,8 +1,10 @@
 //! Answers about the motion of plane structures.
 
+pub(crate) mod axial_forces;
 pub(crate) mod energies;
 pub(crate) mod geometry;
 pub(crate) mod inside;
+mod levers;
 mod moving_mass;
 pub(crate) mod of_frame;
 mod own_load;
@@ -13,4 +15,5 @@ pub(crate) mod shape;
 pub(crate) mod sketch;
 pub(crate) mod spread_load;
 pub(crate) mod states;
+mod under_load;
 mod work;

@@ -122,7 +122,7 @@ where
     }
 
     fn lowest_exponent(&self) -> i32 {
-        self.response.lowest_exponent()
+        self.system.frequency_estimates().lowest_exponent()
     }
 
     fn facts(&self) -> Facts<T> {

@@ -4,33 +4,24 @@ use crate::answer::at_rest::Part;
 use crate::answer::facts::Facts;
 use crate::answer::modal::response::Superposed;
 use crate::answer::network::of_frame::for_each_shape;
-use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::states::PlaneStates;
+use crate::answer::network::under_load::UnderLoad;
 use crate::answer::root::Root;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
-use crate::model::{MotionError, PlaneEntry, PlaneLoad};
+use crate::model::{MotionError, PlaneLoad};
 use crate::number::gauss::integrals;
 use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::characteristic::System;
-use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, Wanted};
 use core::marker::PhantomData;
 use num_traits::Zero;
 
 /// A load along members, with its work on the motion under it.
-pub(super) struct OwnLoad<'a, Y: Placed> {
-    system: &'a Y,
-    load: PlaneLoad<Y::Model>,
-    /// The response of any entry: the motion under the load is the same.
-    response: PlaneResponse<'a, Y>,
-}
+pub(super) struct OwnLoad<'a, Y: Placed>(UnderLoad<'a, Y>);
 
 impl<'a, Y: Placed> OwnLoad<'a, Y> {
-    pub(super) fn new(
-        system: &'a Y,
-        load: PlaneLoad<Y::Model>,
-        entry: PlaneEntry<Y::Model>,
-    ) -> Result<Self, MotionError> {
-        Ok(OwnLoad { system, load, response: PlaneResponse::new(system, load, entry)? })
+    pub(super) fn new(system: &'a Y, load: PlaneLoad<Y::Model>) -> Result<Self, MotionError> {
+        UnderLoad::new(system, load).map(OwnLoad)
     }
 }
 
@@ -46,25 +37,25 @@ where
         add: &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
     ) -> Result<(), MotionError> {
         let square = |work: R::Frequency| work * work;
-        for_each_shape::<CAP, _, _, _>(self.system, root, |shape| shape.work(self.load).map(square), add)
+        for_each_shape::<CAP, _, _, _>(self.0.system, root, |shape| shape.work(self.0.load).map(square), add)
     }
 
     /// Of what floats there is no limit: integrals along members have too many waves where it is sought.
     fn held_at_rest(&self) -> Result<Option<R::Frequency>, MotionError> {
-        self.response.states(R::Frequency::zero())?.own_work().map(Some)
+        self.0.states(R::Frequency::zero(), Wanted::All)?.own_work().map(Some)
     }
 
     fn exactly(&self, x: R::Frequency) -> Result<R::Frequency, MotionError> {
-        self.response.states(x)?.own_work()
+        self.0.states(x, Wanted::All)?.own_work()
     }
 
     fn sized(&self, x: R::Frequency) -> Result<Part<R::Frequency>, MotionError> {
-        let value = self.response.states(x)?.own_work()?;
+        let value = self.0.states(x, Wanted::All)?.own_work()?;
         Ok(Part::new(value, value.size()))
     }
 
     fn lowest_exponent(&self) -> i32 {
-        self.response.lowest_exponent()
+        self.0.lowest_exponent()
     }
 
     fn facts(&self) -> Facts<T> {
@@ -72,7 +63,7 @@ where
     }
 
     fn has_loss(&self) -> bool {
-        self.system.frequency_estimates().has_loss()
+        self.0.system.frequency_estimates().has_loss()
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
+use crate::answer::network::axial_forces::{AxialForces, axial_forces, settled_under, with_axial_forces};
 use crate::answer::network::moving_mass::moving_mass;
 use crate::answer::network::of_frame::{OfFrame, for_each_shape};
 use crate::answer::network::own_load::OwnLoad;
@@ -13,10 +14,11 @@ use crate::answer::network::sketch::Sketch;
 use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
-use crate::model::{Direction, MotionError, PlaneEntry, PlaneLoad, TruncationError};
+use crate::model::{AxialForceError, Direction, MotionError, ParameterError, PlaneEntry, PlaneLoad, TruncationError};
 use crate::pass::characteristic::System;
-use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency};
+use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency, Prestressed};
 use crate::search::{NaturalFrequency, Undamped};
+use num_complex::Complex;
 
 /// Shapes, internal forces and responses of a plane structure, by the names that [`ModalAnalysis`](crate::ModalAnalysis) has for trees.
 pub trait FrameAnalysis: Placed + Sized {
@@ -166,12 +168,62 @@ pub trait FrameAnalysis: Placed + Sized {
         check_list(self, roots.clone(), reach)?;
         let of_load = match load.dual() {
             Some(own) => OfFrame::new(self, load, own)?.side::<N>(roots.clone(), reach)?,
-            None if load.is_spread() => Side::new::<N>(&OwnLoad::new(self, load, entry)?, roots.clone(), reach, false)?,
+            None if load.is_spread() => Side::new::<N>(&OwnLoad::new(self, load)?, roots.clone(), reach, false)?,
             None => return Err(MotionError::NotModal.into()),
         };
         let own = entry.dual().ok_or(MotionError::NotModal)?;
         let of_entry = OfFrame::new(self, own, entry)?.side::<N>(roots, reach)?;
         Ok(Truncation::new(reach, of_load, of_entry))
+    }
+
+    /// The axial forces of all members under loads at rest, each with its value: forces \[N\], moments [N m], loads along members [N/m], weights, motions of supports.
+    ///
+    /// A member between two places carries one force: under a load along it the mean of both ends. What stands at one place, as a joint does, and what acts in directions of its own
+    /// needs no parameter for it. In space the forces of a member do not act on its twist.
+    ///
+    /// # Errors
+    /// [`AxialForceError::NoAxialForce`] for a member that carries one and has no parameter for it, [`AxialForceError::Lever`] for what is rigid and has forces on levers, as a link
+    /// between two places; [`MotionError::LossFactor`] where something has a loss factor; else as [`at`](PlaneResponse::at) at rest.
+    fn axial_forces(
+        &self,
+        loads: &[(PlaneLoad<Self::Model>, <Self as System>::Parameter)],
+    ) -> Result<AxialForces<'_, Self>, AxialForceError>
+    where
+        Self: Prestressed + MovingNetwork<Complex<<Self as System>::Parameter>>,
+        Complex<<Self as System>::Parameter>: PlaneFrequency<<Self as System>::Parameter>,
+    {
+        axial_forces(self, loads)
+    }
+
+    /// The structure under axial forces besides those that it has: its frequencies, its responses (P-Δ), its critical loads follow.
+    ///
+    /// # Errors
+    /// [`ParameterError`] for a member that does not take its force, as a string that would be slack, and for forces of another structure.
+    fn with_axial_forces(&self, forces: &AxialForces<'_, Self>) -> Result<Self, ParameterError>
+    where
+        Self: Prestressed,
+    {
+        with_axial_forces(self, forces)
+    }
+
+    /// The structure under the axial forces of loads as it has them under these: forces move as the structure softens or stiffens. A few steps from those of
+    /// [`axial_forces`](FrameAnalysis::axial_forces) on.
+    ///
+    /// Loads far beyond a critical one may settle, too: natural frequencies of the structure are refused then as [`Unstable`](crate::SearchError::Unstable), and its responses are
+    /// those of a motion that falls back.
+    ///
+    /// # Errors
+    /// [`AxialForceError::Unsettled`] where the forces go on changing; else as [`axial_forces`](FrameAnalysis::axial_forces) and
+    /// [`with_axial_forces`](FrameAnalysis::with_axial_forces).
+    fn settled_under(
+        &self,
+        loads: &[(PlaneLoad<Self::Model>, <Self as System>::Parameter)],
+    ) -> Result<Self, AxialForceError>
+    where
+        Self: Prestressed + MovingNetwork<Complex<<Self as System>::Parameter>>,
+        Complex<<Self as System>::Parameter>: PlaneFrequency<<Self as System>::Parameter>,
+    {
+        settled_under(self, loads)
     }
 
     /// The mass that modes can move along a direction \[kg\]: of each member what it has along the direction, of each body what no support holds. It is what

@@ -1,8 +1,8 @@
 //! What a load works on the shape of a plane structure, or of one in space.
 
-use crate::answer::network::response::acting_at;
 use crate::answer::network::shape::PlaneShape;
 use crate::answer::network::states::PlaneStates;
+use crate::answer::network::under_load::acting_at;
 use crate::model::{MotionError, PlaneLoad};
 use crate::pass::characteristic::System;
 use crate::pass::network::{ActingLoad, JumpAt, LoadAt, MovingNetwork, Placed, PlaneFrequency};

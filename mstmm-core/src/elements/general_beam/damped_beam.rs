@@ -124,6 +124,11 @@ impl<T: Parameter> Element for DampedBeam<T> {
         Ok(BuiltDampedBeam { beam, dissipation })
     }
 
+    fn add_axial_force(built: &mut BuiltDampedBeam<T>, force: [f64; 2]) -> Result<bool, InvalidParameter> {
+        built.beam.add_axial_force(force)?;
+        Ok(true)
+    }
+
     fn estimate(built: &BuiltDampedBeam<T>, estimates: &mut FrequencyEstimates) {
         built.estimate(estimates);
     }

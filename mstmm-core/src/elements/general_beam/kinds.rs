@@ -78,6 +78,13 @@ macro_rules! kinds {
                 BuiltGeneralBeam::new(self.parameters(), shear_stiffness!(self $($field)*))
             }
 
+            fn add_axial_force(built: &mut BuiltGeneralBeam<T>, force: [f64; 2]) -> Result<bool, InvalidParameter> {
+                if $may_buckle {
+                    built.add_axial_force(force)?;
+                }
+                Ok($may_buckle)
+            }
+
             fn estimate(built: &BuiltGeneralBeam<T>, estimates: &mut FrequencyEstimates) {
                 built.estimate(estimates);
             }

@@ -91,7 +91,27 @@ impl<S: Scalar> LineSection<S> {
 const REQUIREMENTS: [Requirement; 4] =
     [Requirement::Positive, Requirement::Positive, Requirement::Positive, Requirement::NonNegative];
 
+/// The axial force of a line between places: a string adds it to its tension.
+macro_rules! axial_force_of_line {
+    ($built:ident tension of $($line:ident)*) => {
+        fn add_axial_force(built: &mut $built<T>, force: [f64; 2]) -> Result<bool, InvalidParameter> {
+            built $(.$line)* .add_tension(force)?;
+            Ok(true)
+        }
+    };
+    ($built:ident $stiffness:ident of $($line:ident)*) => {};
+}
+pub(crate) use axial_force_of_line;
+
 impl<T: Parameter> UniformLine<T> {
+    /// Adds an axial force to the tension of a string.
+    pub(crate) fn add_tension(&mut self, force: [f64; 2]) -> Result<(), InvalidParameter> {
+        let stiffness = self.section.stiffness + T::of_words(force);
+        let names = ["length", "tension", "mass_per_length", "foundation_stiffness"];
+        *self = LineSection { stiffness, ..self.section }.build(names)?;
+        Ok(())
+    }
+
     /// Whether what is computed is finite, and not zero but for a foundation that there is not.
     fn is_in_range(&self) -> bool {
         // a product with the inverse is about 1, unless one of both is out of the range

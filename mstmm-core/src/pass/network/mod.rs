@@ -23,6 +23,7 @@ mod path_state;
 mod placed;
 mod placed_node;
 mod placement;
+mod prestress;
 mod products;
 mod skeleton;
 mod sketch;
@@ -63,6 +64,7 @@ pub use placed_node::PlacedNode;
 pub use placement::Placement;
 #[cfg(feature = "std")]
 pub(crate) use placement::SpatialEnd;
+pub use prestress::Prestressed;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{

@@ -69,10 +69,10 @@ pub struct Network<E: MemberElement, M: Memory> {
     pub(super) members: M::PerMember<Option<E::Built>>,
     /// What each member is.
     kinds: M::PerMember<&'static str>,
-    placements: M::PerMember<Placement<E::Parameter>>,
+    pub(super) placements: M::PerMember<Placement<E::Parameter>>,
     /// Nodes and members in numbers, for searches at many frequencies at once.
     pub(super) stiffness: StiffnessRoom<M>,
-    order: Order<M>,
+    pub(super) order: Order<M>,
     width: usize,
     /// Stiffnesses and inertias, which motions ask for at each frequency.
     estimates: FrequencyEstimates,
@@ -179,17 +179,25 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
         let mut own_nodes = M::per_node(node_count, origin);
         own_nodes.as_mut()[..node_count].copy_from_slice(nodes);
         let width = width::<M, _>(&order.get(), motions.as_ref(), placements.as_ref());
-        let mut estimates = FrequencyEstimates::default();
-        built.as_ref().iter().flatten().for_each(|member| E::estimate(member, &mut estimates));
-        nodes.iter().for_each(|node| node.estimate(&mut estimates));
-        estimates.finish();
-        let (nodes, members) = (own_nodes, built);
-        Some(Network { sizes, nodes, motions, members, kinds, placements, stiffness, order, width, estimates })
+        let (nodes, members, estimates) = (own_nodes, built, FrequencyEstimates::default());
+        let mut network =
+            Network { sizes, nodes, motions, members, kinds, placements, stiffness, order, width, estimates };
+        network.estimate();
+        Some(network)
     }
 
     /// The largest number of unknowns at once: motions of nodes, and what members have of their own.
     pub fn unknowns_at_once(&self) -> usize {
         self.width
+    }
+
+    /// Estimates stiffnesses and inertias.
+    pub(super) fn estimate(&mut self) {
+        let mut estimates = FrequencyEstimates::default();
+        self.members.as_ref().iter().flatten().for_each(|member| E::estimate(member, &mut estimates));
+        self.nodes().iter().for_each(|node| node.estimate(&mut estimates));
+        estimates.finish();
+        self.estimates = estimates;
     }
 
     /// The nodes.

@@ -47,11 +47,6 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
     let Names { private, system, parameter, .. } = names;
     let mut place = count(skeleton);
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
-    let descriptions = skeleton.members.iter().enumerate().map(|(index, member)| {
-        let (span, kind) = (member.span(names), member.kind(names));
-        let field = field(index, span);
-        quote_spanned!(span=> system.skeleton.describe::<#kind>(#index, &system.#field, &mut system.estimates);)
-    });
     let kept = values_of_fields(model, keeps_fields, names);
     let body = quote_spanned! {names.here=>
         let numbers = #private::Located::numbers(self);
@@ -64,9 +59,7 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
             skeleton,
             estimates: ::core::default::Default::default(),
         };
-        system.skeleton.estimate(&mut system.estimates);
-        #(#descriptions)*
-        system.skeleton.arrange(&ORDER.order());
+        #private::Prestressed::describe(&mut system);
     };
     let doc = [
         "Validates all places and parameters and builds the system.",

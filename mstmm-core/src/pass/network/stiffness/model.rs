@@ -8,6 +8,7 @@ use crate::pass::network::motions::Motions;
 use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::stiffness::arrangement::arrange;
+use crate::pass::network::stiffness::group::Group;
 use crate::pass::network::stiffness::member::StiffnessMember;
 use crate::pass::network::stiffness::node::StiffnessNode;
 #[cfg(feature = "std")]
@@ -69,6 +70,7 @@ impl<M: Memory> StiffnessRoom<M> {
     /// Arranges all that was kept for the passes to come.
     pub(crate) fn arrange(&mut self, order: &NetworkOrder<'_>) {
         let StiffnessRoom { nodes, members, joining, parting, width, is_flat, .. } = self;
+        nodes.as_mut().iter_mut().for_each(|node| node.group = Group::NONE);
         let arranged = arrange(order, nodes.as_mut(), members.as_mut(), [joining.as_mut(), parting.as_mut()]);
         // without `std` there is no room for what a structure in space has besides
         *width = arranged.filter(|_| *is_flat || cfg!(feature = "std"));

@@ -1,0 +1,80 @@
+//! Errors of axial forces under loads.
+
+use crate::model::error::ParameterError;
+use crate::model::motion_error::MotionError;
+use crate::model::search_error::Spot;
+use core::fmt;
+
+/// Why the axial forces under loads cannot stiffen or soften a structure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum AxialForceError {
+    /// A member that carries an axial force and has no parameter for it.
+    NoAxialForce {
+        /// The member.
+        member: Spot,
+        /// Its name, or its kind.
+        name: &'static str,
+        /// The axial force that it carries \[N\].
+        force: f64,
+    },
+    /// Forces that act beside each other on what is rigid: where it turns they work, and no parameter takes that.
+    Lever {
+        /// The point.
+        point: Spot,
+        /// The sum of forces times levers \[N m\], which is a stiffness against rotation.
+        stiffness: f64,
+    },
+    /// Forces that go on changing as the deflected structure is loaded: near a critical load, or beyond it.
+    Unsettled {
+        /// The last change of an axial force \[N\].
+        change: f64,
+    },
+    /// A load, or the motion under it.
+    Motion(MotionError),
+    /// A member that does not take its axial force.
+    Parameter(ParameterError),
+}
+
+impl From<MotionError> for AxialForceError {
+    fn from(error: MotionError) -> Self {
+        AxialForceError::Motion(error)
+    }
+}
+
+impl From<ParameterError> for AxialForceError {
+    fn from(error: ParameterError) -> Self {
+        AxialForceError::Parameter(error)
+    }
+}
+
+impl fmt::Display for AxialForceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            AxialForceError::NoAxialForce { member, name, force } => {
+                write!(f, "{member}")?;
+                if !matches!(member, Spot::Named(_)) {
+                    write!(f, " ({name})")?;
+                }
+                write!(
+                    f,
+                    " carries an axial force of {force} N and has no parameter for it: name it in a beam or a bar, `axial_force: 0.0`; a string adds it to its tension; a spring, a \
+                     rod or an element of your own between two places bears none"
+                )
+            }
+            AxialForceError::Lever { point, stiffness } => write!(
+                f,
+                "forces act on levers about {point}, and turn it with a stiffness of {stiffness} N m that the model has no parameter for: let beams end where they meet, without a \
+                 rigid link or body between"
+            ),
+            AxialForceError::Unsettled { change } => write!(
+                f,
+                "axial forces go on changing, by {change} N in the last step: the load is near a critical one, or beyond it"
+            ),
+            AxialForceError::Motion(error) => write!(f, "{error}"),
+            AxialForceError::Parameter(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl core::error::Error for AxialForceError {}
