@@ -6,12 +6,12 @@
 #[cfg(feature = "std")]
 pub use mstmm_core::record_spectrum;
 pub use mstmm_core::{
-    AxialForceError, Combination, Coordinate, Direction, Directions, Drawn, DrawnBody, DrawnEnd, DrawnMember,
-    DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion,
-    ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError, MemberEnd, MemberLabel, MemberState,
-    ModalAnalysis, MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode, PlaneEntry,
-    PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum, Root,
-    Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree,
+    AxialForceError, Combination, Compliance, Coordinate, Direction, Directions, Drawn, DrawnBody, DrawnEnd,
+    DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry,
+    EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError, MemberEnd, MemberLabel,
+    MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode,
+    PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum,
+    Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree,
     Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
 };
 

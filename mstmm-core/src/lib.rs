@@ -27,6 +27,7 @@ pub mod sections;
 mod structure;
 mod subspace;
 
+pub use answer::compliance::Compliance;
 pub use answer::energy_shares::EnergyShares;
 #[cfg(feature = "std")]
 pub use answer::frame_sensitivity::FrameSensitivities;

@@ -2,6 +2,7 @@
 
 mod axial_forces;
 mod base;
+mod boxes;
 mod damping;
 mod dislocations;
 mod models;

@@ -1,6 +1,7 @@
 //! Answers about the motion of a system at its roots and under loads.
 
 pub(crate) mod at_rest;
+pub(crate) mod compliance;
 pub(crate) mod dominant_entry;
 pub(crate) mod energies;
 pub(crate) mod energy_shares;

@@ -209,6 +209,10 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Placed for Framework<D, E>
         self.places[place]
     }
 
+    fn frame_number(&self) -> u32 {
+        self.number
+    }
+
     fn point(&self, point: Handle) -> Result<Tied, MotionError> {
         let index = self.own(point)?;
         self.points.get(index).copied().ok_or(MotionError::NoSuchPoint { index })

@@ -1,6 +1,6 @@
 //! Errors of searches for critical loads.
 
-use crate::model::{ParameterError, SearchError};
+use crate::model::{ParameterError, SearchError, ToleranceError};
 use core::fmt;
 
 /// A search for critical loads that cannot start or cannot return all it found.
@@ -16,6 +16,13 @@ pub enum LoadError {
     },
     /// The search found no answer at a model of the range.
     Search(SearchError),
+    /// Systems under a load factor that are no ends of a box of tolerances.
+    NotABox {
+        /// The load factor.
+        factor: f64,
+        /// Why they are none.
+        error: ToleranceError,
+    },
     /// The number of motions that grow falls as the load grows: loads that also pull have no first critical factor that counts could certify.
     Falls {
         /// Factor from which on fewer motions grow.
@@ -28,6 +35,7 @@ impl fmt::Display for LoadError {
         match self {
             LoadError::Parameter { factor, error } => write!(f, "at the load factor {factor}: {error}"),
             LoadError::Search(error) => write!(f, "{error}"),
+            LoadError::NotABox { factor, error } => write!(f, "at the load factor {factor}: {error}"),
             LoadError::Falls { factor } => {
                 write!(
                     f,

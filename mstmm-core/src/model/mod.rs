@@ -10,6 +10,7 @@ pub(crate) mod ends;
 pub(crate) mod error;
 pub(crate) mod estimates;
 pub(crate) mod extent;
+mod in_frame;
 pub(crate) mod label;
 pub(crate) mod load_error;
 pub(crate) mod member_plane;

@@ -1,6 +1,6 @@
 //! Errors of searches for speeds.
 
-use crate::model::{ParameterError, SearchError};
+use crate::model::{ParameterError, SearchError, ToleranceError};
 use core::fmt;
 
 /// A search for critical speeds, or for a threshold of stability, that cannot start or cannot return all it found, given the error `E` of a rotor that is not
@@ -17,6 +17,13 @@ pub enum SpeedError<E = ParameterError> {
     },
     /// The search found no answer at a rotor of the range.
     Search(SearchError),
+    /// Rotors at a speed that are no ends of a box of tolerances.
+    NotABox {
+        /// The speed [rad/s].
+        speed: f64,
+        /// Why they are none.
+        error: ToleranceError,
+    },
     /// The order is not a positive number.
     Order {
         /// The order.
@@ -57,6 +64,7 @@ impl<E: fmt::Display> fmt::Display for SpeedError<E> {
         match self {
             SpeedError::Parameter { speed, error } => write!(f, "at the speed {speed} rad/s: {error}"),
             SpeedError::Search(error) => write!(f, "{error}"),
+            SpeedError::NotABox { speed, error } => write!(f, "at the speed {speed} rad/s: {error}"),
             SpeedError::Order { order } => write!(f, "the order of a critical speed is a positive number, not {order}"),
             SpeedError::Grows { speed } => {
                 write!(f, "a motion grows at the first speed already, {speed} rad/s: begin below the threshold")

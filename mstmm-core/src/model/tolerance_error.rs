@@ -1,5 +1,6 @@
 //! Errors of boxes of tolerances.
 
+use crate::model::motion_error::MotionError;
 use crate::model::search_error::{SearchError, Spot};
 use core::fmt;
 
@@ -30,11 +31,19 @@ pub enum ToleranceError {
     },
     /// A search in one of both systems.
     Search(SearchError),
+    /// A load at rest on one of both systems.
+    Motion(MotionError),
 }
 
 impl From<SearchError> for ToleranceError {
     fn from(error: SearchError) -> Self {
         ToleranceError::Search(error)
+    }
+}
+
+impl From<MotionError> for ToleranceError {
+    fn from(error: MotionError) -> Self {
+        ToleranceError::Motion(error)
     }
 }
 
@@ -53,6 +62,7 @@ impl fmt::Display for ToleranceError {
                 write!(f, "no parameters of {at} are known, so that nothing tells which system is the softer one there")
             }
             ToleranceError::Search(error) => write!(f, "{error}"),
+            ToleranceError::Motion(error) => write!(f, "{error}"),
         }
     }
 }

@@ -55,9 +55,19 @@ pub fn critical_loads<const CAP: usize, Y: Undamped>(
     factors: impl ClosedRange<Y::Parameter>,
     mut build: impl FnMut(Y::Parameter) -> Result<Y, ParameterError>,
 ) -> Result<CriticalLoads<Y::Parameter, CAP>, LoadError> {
+    let built =
+        |factor: Y::Parameter| build(factor).map_err(|error| LoadError::Parameter { factor: factor.to_f64(), error });
+    critical_loads_of(factors, built)
+}
+
+/// The critical loads of structures that are built under a factor, or refused.
+pub(super) fn critical_loads_of<const CAP: usize, Y: Undamped>(
+    factors: impl ClosedRange<Y::Parameter>,
+    mut built: impl FnMut(Y::Parameter) -> Result<Y, LoadError>,
+) -> Result<CriticalLoads<Y::Parameter, CAP>, LoadError> {
     let (start, end) = factors.closed().into_inner();
     let sample = |factor: Y::Parameter| {
-        let system = build(factor).map_err(|error| LoadError::Parameter { factor: factor.to_f64(), error })?;
+        let system = built(factor)?;
         let parts = Parts(&system);
         let ([least, most], bound) = Prover::new(&parts).bounds_with_delta(Y::Parameter::zero(), 1.0);
         Ok(Sample { factor, least: least.unwrap_or(0), most: most.unwrap_or(u64::MAX), bound: Some(bound) })

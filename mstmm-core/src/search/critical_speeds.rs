@@ -62,6 +62,18 @@ pub fn critical_speeds<const CAP: usize, Y: Undamped<Parameter = f64> + Spinning
     order: f64,
     mut build: impl FnMut(f64) -> Result<Rotor<Y>, Y::BuildError>,
 ) -> Result<CriticalSpeeds<CAP>, SpeedError<Y::BuildError>> {
+    let built = |speed: f64| {
+        build(speed).map(|rotor| rotor.into_whirl(whirl)).map_err(|error| SpeedError::Parameter { speed, error })
+    };
+    critical_speeds_of(speeds, order, built)
+}
+
+/// The critical speeds of whirls of rotors that are built at a speed, or refused.
+pub(super) fn critical_speeds_of<const CAP: usize, Y: Undamped<Parameter = f64>, E>(
+    speeds: impl ClosedRange<f64>,
+    order: f64,
+    mut built: impl FnMut(f64) -> Result<Y, SpeedError<E>>,
+) -> Result<CriticalSpeeds<CAP>, SpeedError<E>> {
     let (start, end) = speeds.closed().into_inner();
     if !(order > 0.0 && order.is_finite()) {
         return Err(SpeedError::Order { order });
@@ -71,8 +83,8 @@ pub fn critical_speeds<const CAP: usize, Y: Undamped<Parameter = f64> + Spinning
     }
     let mut is_proven = true;
     let sample = |speed: f64| {
-        let rotor = build(speed).map_err(|error| SpeedError::Parameter { speed, error })?;
-        let parts = Parts(rotor.whirl(whirl));
+        let rotor = built(speed)?;
+        let parts = Parts(&rotor);
         let mut prover = Prover::new(&parts);
         check_held(&mut prover)?;
         is_proven &= knowledge_of(&parts) == Knowledge::Numbers;

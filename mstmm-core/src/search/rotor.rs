@@ -54,6 +54,14 @@ impl<Y> Rotor<Y> {
             Whirl::Backward => &self.backward,
         }
     }
+
+    /// The rotor as one whirl sees it, without the other one.
+    pub fn into_whirl(self, whirl: Whirl) -> Y {
+        match whirl {
+            Whirl::Forward => self.forward,
+            Whirl::Backward => self.backward,
+        }
+    }
 }
 
 /// A rotor is searched by its whirls: what is asked of itself is an error that says so.

@@ -7,7 +7,7 @@ pub(crate) mod inside;
 mod levers;
 mod moving_mass;
 pub(crate) mod of_frame;
-mod own_load;
+pub(crate) mod own_load;
 pub(crate) mod questions;
 pub(crate) mod response;
 pub(crate) mod sensitivity;

@@ -4,11 +4,12 @@ use crate::answer::at_rest::Part;
 use crate::answer::facts::Facts;
 use crate::answer::modal::response::Superposed;
 use crate::answer::network::of_frame::for_each_shape;
+use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::states::PlaneStates;
 use crate::answer::network::under_load::UnderLoad;
 use crate::answer::root::Root;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
-use crate::model::{MotionError, PlaneLoad};
+use crate::model::{MotionError, PlaneActing, PlaneLoad, SpreadLoad};
 use crate::number::gauss::integrals;
 use crate::number::{Oscillation, Real, Scalar};
 use crate::pass::characteristic::System;
@@ -22,6 +23,23 @@ pub(super) struct OwnLoad<'a, Y: Placed>(UnderLoad<'a, Y>);
 impl<'a, Y: Placed> OwnLoad<'a, Y> {
     pub(super) fn new(system: &'a Y, load: PlaneLoad<Y::Model>) -> Result<Self, MotionError> {
         UnderLoad::new(system, load).map(OwnLoad)
+    }
+}
+
+/// How far a load of 1 at rest moves its own place, or the work of one along a member.
+pub(crate) fn compliance_under<Y, T>(system: &Y, load: PlaneLoad<Y::Model>) -> Result<T, MotionError>
+where
+    T: Real + PlaneFrequency<T>,
+    Y: Placed + MovingNetwork<T> + System<Parameter = T>,
+{
+    let under = UnderLoad::new(system, load)?;
+    match load.acting {
+        PlaneActing::Force(..) => {
+            let own = load.dual().ok_or(MotionError::NotModal)?;
+            PlaneResponse::new(system, load, own)?.at(T::zero())
+        }
+        PlaneActing::Spread(SpreadLoad { member: Some(_), .. }) => under.states(T::zero(), Wanted::All)?.own_work(),
+        _ => Err(MotionError::NotModal),
     }
 }
 

@@ -38,6 +38,11 @@ pub trait Placed: System {
         Ok(Tied::node(of_list(point, self.sizes()[0])?))
     }
 
+    /// The number of the frame of its points and members; zero of a list and of a sketch.
+    fn frame_number(&self) -> u32 {
+        0
+    }
+
     /// The index of a member.
     ///
     /// # Errors

@@ -2,18 +2,20 @@
 //!
 //! With the potential energy V and the kinetic energy T over ω² of the same motion, `ω_n² = min max V/T` over all spaces of n motions. Where a system has `V <= V'` and `T >= T'` for all
 //! motions, each of its frequencies is at most that of the other one. V grows with stiffnesses, tensions and axial forces, T with masses and inertias; what acts both ways, as
-//! places and lengths of beams do, has to be the same. For a whirl of a rotor the counts say the same: at each ω its dynamic stiffness `K - ω² M + ω G` is at most that of the other one,
-//! where both have one G.
+//! places and lengths of beams do, has to be the same. For a whirl of a rotor the counts say the same: at each ω its dynamic stiffness `K - ω² M + ω G` is at most that of the other one
+//! where G is, too: the gyroscopic moments, which grow with the speed forward and fall with it backward. There K has to be positive, as a search of the soft system finds.
 
 use crate::element::{BeamNumbers, BodyNumbers, Exact, LineNumbers, MemberNumbers, SpinNumbers, TaperedNumbers};
 use crate::model::{MemberPlane, Spot, ToleranceError};
+use crate::number::double_double::DoubleDouble;
+use crate::number::{Parameter, Scalar};
 use crate::pass::characteristic::System;
 use crate::proof::visit::{MemberEnd, NodeNumbers, Visitor};
 use mstmm_plan::{Freedoms, Space, Support};
 
 /// Parts that are looked at in one visit of each system.
 const AT_ONCE: usize = 16;
-/// Roundings that a minor of the difference of two tensors has to exceed: eight times the most that it has.
+/// Roundings that a difference has to exceed, of a minor of two tensors or of two inertias about a mass centre: eight times the most that it has.
 const ROUNDINGS: f64 = 64.0;
 
 /// A part of a system.
@@ -165,6 +167,8 @@ enum Effect {
     Down,
     /// It has to be the same.
     Same,
+    /// It is looked at elsewhere.
+    Any,
     /// They grow with it, and without it they are highest: of a shear stiffness zero is none, which is rigid.
     UpOrRigid,
 }
@@ -176,6 +180,7 @@ fn check(parameters: &[(&'static str, Effect, [Exact; 2])]) -> Result<(), Wrong>
             Effect::Up => at_most(*soft, *stiff),
             Effect::Down => at_most(*stiff, *soft),
             Effect::Same => soft == stiff,
+            Effect::Any => true,
             Effect::UpOrRigid => *stiff == [0.0; 2] || *soft != [0.0; 2] && at_most(*soft, *stiff),
         };
         if !is_ordered {
@@ -234,11 +239,18 @@ fn by_beam(soft: &BeamNumbers, stiff: &BeamNumbers) -> Result<(), Wrong> {
     ])
 }
 
-/// A speed acts by the whirl, so that it is the same in both.
+/// A gyroscopic moment is a speed, in the sense of the whirl, times a polar inertia. The inertia acts as the speed does in forward whirl, against it in backward whirl, and both ways
+/// where speeds have both signs.
 fn by_spin(soft: &SpinNumbers, stiff: &SpinNumbers) -> Result<(), Wrong> {
+    let of_inertia = match [soft.speed[0], stiff.speed[0]] {
+        [0.0, 0.0] => return Ok(()),
+        speeds if speeds.iter().all(|speed| *speed >= 0.0) => Effect::Up,
+        speeds if speeds.iter().all(|speed| *speed <= 0.0) => Effect::Down,
+        _ => Effect::Same,
+    };
     check(&[
-        ("polar_inertia", Effect::Same, [soft.polar_inertia, stiff.polar_inertia]),
-        ("speed", Effect::Same, [soft.speed, stiff.speed]),
+        ("speed", Effect::Up, [soft.speed, stiff.speed]),
+        ("polar_inertia", of_inertia, [soft.polar_inertia, stiff.polar_inertia]),
     ])
 }
 
@@ -253,19 +265,36 @@ fn by_line(soft: &LineNumbers, stiff: &LineNumbers) -> Result<(), Wrong> {
     ])
 }
 
-/// The inertia of a body is that about its mass centre; about its input it holds a part of the mass, which has to be the same then.
+/// The kinetic energy of a body is that of its mass in the mass centre and of its inertia about that. An inertia about the input holds a part of the mass, and is less than the other
+/// one by more than that then.
 fn by_rigid(soft: &BodyNumbers, stiff: &BodyNumbers) -> Result<(), Wrong> {
     if soft.is_central != stiff.is_central {
         return Err(Wrong::Kind);
     }
-    let is_beside = !soft.is_central && soft.centre_x != [0.0; 2];
+    let inertias = [soft.inertia, stiff.inertia];
+    let holds_mass = !soft.is_central && soft.centre_x != [0.0; 2] && soft.mass != stiff.mass;
+    if holds_mass && !falls_about_centre(soft, stiff) {
+        return Err(Wrong::Parameter("inertia_about_input", inertias));
+    }
+    let of_inertia = if holds_mass { Effect::Any } else { Effect::Down };
     check(&[
-        ("mass", if is_beside { Effect::Same } else { Effect::Down }, [soft.mass, stiff.mass]),
-        ("inertia", Effect::Down, [soft.inertia, stiff.inertia]),
+        ("mass", Effect::Down, [soft.mass, stiff.mass]),
+        ("inertia", of_inertia, inertias),
         ("centre_x", Effect::Same, [soft.centre_x, stiff.centre_x]),
         ("output_x", Effect::Same, [soft.output_x, stiff.output_x]),
         ("axial_force", Effect::Up, [soft.axial_force, stiff.axial_force]),
     ])
+}
+
+/// Whether the inertia about the mass centre, `J - m c²`, of one body is more than that of another one, beyond rounding: three of differences, squares and products each, of some
+/// ε each.
+fn falls_about_centre(soft: &BodyNumbers, stiff: &BodyNumbers) -> bool {
+    let number = DoubleDouble::of_words;
+    let [centre, heavy, light] = [soft.centre_x, soft.mass, stiff.mass].map(number);
+    let [more, less] = [soft.inertia, stiff.inertia].map(number);
+    let difference = (more - less) - (heavy - light) * (centre * centre);
+    let size = more.abs() + less.abs() + (heavy.abs() + light.abs()) * (centre * centre);
+    difference > size * DoubleDouble::from_f64(ROUNDINGS * DoubleDouble::EPSILON)
 }
 
 /// The mass of a blade that turns stiffens it, too.

@@ -62,6 +62,11 @@ impl<Y: System> ToleranceBox<Y> {
         Ok(ToleranceBox { soft, stiff })
     }
 
+    /// Both systems.
+    pub(crate) fn into_ends(self) -> (Y, Y) {
+        (self.soft, self.stiff)
+    }
+
     /// The soft system.
     pub fn soft(&self) -> &Y {
         &self.soft
