@@ -67,18 +67,17 @@ impl<Y: Undamped> ToleranceBox<Y> {
     where
         Y: Compliance<L>,
     {
-        match self.soft().unstable_modes()? {
-            0 => match [self.stiff(), self.soft()].map(|system| system.compliance(load)) {
-                // points of a frame are no points of another one
-                [Err(MotionError::OtherFrame { .. }), Ok(soft)] => {
-                    Ok(self.stiff().compliance(self.stiff().at_same_place(load))?..=soft)
-                }
-                [Ok(stiff), Err(MotionError::OtherFrame { .. })] => {
-                    Ok(stiff..=self.soft().compliance(self.soft().at_same_place(load))?)
-                }
-                [stiff, soft] => Ok(stiff?..=soft?),
-            },
-            modes => Err(SearchError::Unstable { modes }.into()),
+        let modes = self.soft().unstable_modes()?;
+        if modes > 0 {
+            return Err(SearchError::Unstable { modes }.into());
         }
+        let both = [self.stiff(), self.soft()];
+        let [stiff, soft] = both.map(|system| system.compliance(load));
+        // points of a frame are no points of another one
+        let is_other = [&stiff, &soft].map(|answer| matches!(answer, Err(MotionError::OtherFrame { .. })));
+        let of = |end: usize| both[end].compliance(both[end].at_same_place(load));
+        let stiff = if is_other == [true, false] { of(0) } else { stiff };
+        let soft = if is_other == [false, true] { of(1) } else { soft };
+        Ok(stiff?..=soft?)
     }
 }
