@@ -1,5 +1,6 @@
 //! What modes and loads tell: work on shapes, damping of each mode, sums in frequency.
 
+mod about;
 mod axial_forces;
 mod base;
 mod boxes;

@@ -79,7 +79,7 @@ fn a_multiple_root_has_one_mass_in_all_directions() {
 fn assert_all_moves(name: &str, system: &mstmm::frame::Structure<Plane>, modes: usize) {
     let roots = system.frequencies(modes).unwrap();
     assert_eq!(roots.iter().map(|root| root.multiplicity).sum::<u64>(), modes as u64, "{name}");
-    for direction in [Direction::x(), Direction::y()] {
+    for direction in [Direction::x(), Direction::y(), Direction::about([0.4, -0.3])] {
         let participation = system.participation::<16, _>(&roots, direction).unwrap();
         let (total, missing) = (participation.total(), participation.missing());
         assert!(missing.abs() < 1e-11 * total.max(1.0), "{name}: {missing:e} of {total}");
@@ -284,10 +284,12 @@ fn all_modes_of_a_body_in_space_have_the_mass_that_nothing_holds() {
         frame.member(at.about([1.0, 0.4, 0.3]), ground.about([1.0, 0.4, 0.3]), TorsionSpring { stiffness: 7.0 });
         let system = frame.build().unwrap();
         let roots = system.frequencies(modes).unwrap();
-        for direction in [Direction::x(), Direction::y(), Direction::z()] {
+        let place = [0.2, -0.4, 0.7];
+        let about = [Direction::about_x(place), Direction::about_y(place), Direction::about_z(place)];
+        for direction in [Direction::x(), Direction::y(), Direction::z()].into_iter().chain(about) {
             let participation = system.participation::<16, _>(&roots, direction).unwrap();
             assert!(participation.missing().abs() < 1e-11, "{name}: {:e}", participation.missing());
-            assert!(participation.total() < 3.0 && participation.total() > 0.1, "{name}: {}", participation.total());
+            assert!(participation.total() < 6.0 && participation.total() > 0.1, "{name}: {}", participation.total());
         }
     }
 }

@@ -25,6 +25,15 @@ pub enum AxialForceError {
         /// The sum of forces times levers \[N m\], which is a stiffness against rotation.
         stiffness: f64,
     },
+    /// A joint, or a released end of a member, that slides across a force: that turns what it slides on, and no parameter takes that.
+    Slides {
+        /// The member.
+        member: Spot,
+        /// Its name, or its kind.
+        name: &'static str,
+        /// The force across which it slides \[N\].
+        force: f64,
+    },
     /// Forces that go on changing as the deflected structure is loaded: near a critical load, or beyond it.
     Unsettled {
         /// The last change of an axial force \[N\].
@@ -48,14 +57,19 @@ impl From<ParameterError> for AxialForceError {
     }
 }
 
+/// A member by where it is, with its name where that is not the same.
+fn write_member(f: &mut fmt::Formatter<'_>, member: &Spot, name: &str) -> fmt::Result {
+    match member {
+        Spot::Named(_) => write!(f, "{member}"),
+        _ => write!(f, "{member} ({name})"),
+    }
+}
+
 impl fmt::Display for AxialForceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             AxialForceError::NoAxialForce { member, name, force } => {
-                write!(f, "{member}")?;
-                if !matches!(member, Spot::Named(_)) {
-                    write!(f, " ({name})")?;
-                }
+                write_member(f, member, name)?;
                 write!(
                     f,
                     " carries an axial force of {force} N and has no parameter for it: name it in a beam or a bar, `axial_force: 0.0`; a string adds it to its tension; a spring, a \
@@ -67,6 +81,13 @@ impl fmt::Display for AxialForceError {
                 "forces act on levers about {point}, and turn it with a stiffness of {stiffness} N m that the model has no parameter for: let beams end where they meet, without a \
                  rigid link or body between"
             ),
+            AxialForceError::Slides { member, name, force } => {
+                write_member(f, member, name)?;
+                write!(
+                    f,
+                    " slides across a force of {force} N, which turns what it slides on by more the farther it slides: no parameter takes that, so tie its displacements"
+                )
+            }
             AxialForceError::Unsettled { change } => write!(
                 f,
                 "axial forces go on changing, by {change} N in the last step: the load is near a critical one, or beyond it"

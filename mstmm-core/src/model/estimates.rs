@@ -2,6 +2,10 @@
 
 use crate::number::elementary;
 
+/// How far the mean of the largest stiffness and of inertias may be below that stiffness, in bits: half of those of extended precision. A number of a node in its units
+/// loses as many, and the other half is the rounded answer.
+const SOFTEST: i32 = 53;
+
 /// Extreme stiffnesses and inertias of a system, translation and rotation apart.
 ///
 /// They certify nothing: they only give the frequencies at which counting starts.
@@ -249,14 +253,17 @@ impl FrequencyEstimates {
     }
 
     /// Logarithms to base 2 of the mean of the largest stiffness and of the largest inertia times a λ² of a size, of translations and of
-    /// rotations; none without both. At rest λ is the least frequency.
+    /// rotations; none without both. At rest λ is the least frequency. It is no less than [`SOFTEST`] below the largest stiffness.
     pub(crate) fn between_stiffness_and_inertia(&self, square: f64) -> [Option<i32>; 2] {
         let least = 2 * self.least_exponent();
         let square = if square > 0.0 { exponent(square).max(least) } else { least };
         [0, 1].map(|kind| {
             let (stiffness, inertia) = (self.stiffness[kind].greatest, self.inertia[kind].greatest);
             let are_known = stiffness > 0.0 && inertia > 0.0;
-            are_known.then(|| (exponent(stiffness) + exponent(inertia) + square).div_euclid(2))
+            are_known.then(|| {
+                let stiffness = exponent(stiffness);
+                (stiffness + exponent(inertia) + square).max(2 * (stiffness - SOFTEST)).div_euclid(2)
+            })
         })
     }
 

@@ -41,6 +41,18 @@ pub struct Participation<T, const N: usize> {
     total: T,
 }
 
+/// Collects the factors of all shapes of some roots, given what hands on those of a root.
+pub(crate) fn collect<'r, T, R: 'r>(
+    roots: impl IntoIterator<Item = &'r R>,
+    for_each_factor: impl Fn(&R, &mut dyn FnMut(T) -> Result<(), MotionError>) -> Result<(), MotionError>,
+    mut keep: impl FnMut(ParticipationFactor<T>) -> Result<(), MotionError>,
+) -> Result<(), MotionError> {
+    for (place, root) in roots.into_iter().enumerate() {
+        for_each_factor(root, &mut |value| keep(ParticipationFactor { root: place, value }))?;
+    }
+    Ok(())
+}
+
 impl<T: Real, const N: usize> Participation<T, N> {
     /// The factors of all shapes of some roots, given what hands on those of a root.
     pub(crate) fn new<'r, R: 'r>(
@@ -49,12 +61,9 @@ impl<T: Real, const N: usize> Participation<T, N> {
         for_each_factor: impl Fn(&R, &mut dyn FnMut(T) -> Result<(), MotionError>) -> Result<(), MotionError>,
     ) -> Result<Self, MotionError> {
         let mut factors = List::new();
-        for (place, root) in roots.into_iter().enumerate() {
-            for_each_factor(root, &mut |value| {
-                let factor = ParticipationFactor { root: place, value };
-                factors.push(factor).map_err(|_| MotionError::Capacity { capacity: N })
-            })?;
-        }
+        collect(roots, for_each_factor, |factor| {
+            factors.push(factor).map_err(|_| MotionError::Capacity { capacity: N })
+        })?;
         Ok(Participation { factors, total })
     }
 

@@ -1,9 +1,9 @@
 //! Axial forces from loads at rest: what they are in each member, and the structure under them.
 //!
 //! Forces N along members of a structure at rest work on small rotations of these: `½ ∫ N Y'²`. So they are parameters of beams and strings, `axial_force` and `tension`, to which
-//! the forces under loads are added. What a spring, a rod or a rigid link would add has no parameter: a structure in which they carry axial forces is refused.
+//! the forces under loads are added. What a spring, a rod, a rigid link or a slider would add has no parameter: a structure in which they carry axial forces is refused.
 
-use crate::answer::network::levers::Levers;
+use crate::answer::network::carried::Carried;
 use crate::answer::network::under_load::UnderLoad;
 use crate::model::{
     AxialForceError, InvalidParameter, MemberLabel, MotionError, ParameterError, PlaneLoad, Requirement,
@@ -15,10 +15,11 @@ use core::ops::Mul;
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Rounding of forces at rest, in units of the largest force of the structure: each is right to some of these, and what is less is none.
+/// Change of forces, in roundings of the largest one, that is none; and as a part of that below which a change that does not fall is rounding.
 const ROUNDING: f64 = 64.0;
+const SETTLED: f64 = 1e-9;
 
-/// Steps from forces to the forces in the structure under them. Each leaves a part of the change before: half of it where the load is half the critical one.
+/// Steps from forces to the forces in the structure under them. Each leaves a part of the change before.
 const STEPS: usize = 64;
 
 /// The axial forces \[N\] of the members of a structure, tension positive; of a load along a member the mean of both ends.
@@ -86,28 +87,22 @@ where
     if system.frequency_estimates().has_loss() {
         return Err(MotionError::LossFactor.into());
     }
-    let mut forces = system.per_member(T::zero());
-    let mut levers = Levers::new(system);
+    let mut carried = Carried::new(system);
     for (load, value) in loads {
         let under = UnderLoad::new(system, *load)?;
-        let states = under.states(Complex::zero(), Wanted::All)?;
-        for (member, sum) in forces.as_mut().iter_mut().enumerate().take(system.sizes()[1]) {
-            let ends = states.member(member)?;
-            // of a member in space the first part stretches
-            if system.placement(member).part() == 0 && !is_in_path(system, member) {
-                let [from, to] = [0, 1].map(|end| ends[end].internal(end)[0].re);
-                *sum += *value * T::from_f64(0.5) * (from + to);
-            }
-        }
-        levers.add(&under, &states, *value)?;
+        carried.add(&under, &under.states(Complex::zero(), Wanted::All)?, *value)?;
     }
-    let least = ROUNDING * T::EPSILON * levers.largest_force();
-    forces.as_mut().iter_mut().filter(|force| force.size() <= least).for_each(|force| *force = T::zero());
+    carried.check_levers()?;
+    carried.check_slides()?;
+    let mut forces = system.per_member(T::zero());
+    for (member, own) in forces.as_mut().iter_mut().enumerate().take(system.sizes()[1]) {
+        // of a member in space the first part stretches
+        *own = carried.axial(member);
+    }
     for first in 0..system.sizes()[1] {
         let force = forces.as_ref()[first];
         system.parts_from(first).for_each(|part| forces.as_mut()[part] = force);
     }
-    levers.check()?;
     let forces = AxialForces { system, forces };
     check_members(&forces)?;
     Ok(forces)
@@ -119,8 +114,15 @@ fn is_in_path<Y: Placed>(system: &Y, member: usize) -> bool {
     [0, 1].iter().any(|end| system.node(placement.node_of(*end)).1.has_no_direction())
 }
 
-/// Checks that all members that carry axial forces have a parameter for it, or need none: what stands at one place has no length, and what has directions of its own
-/// does not turn.
+/// Whether a member needs a parameter for an axial force: what stands at one place has no length, and what has directions of its own does not turn. The force of a path has the
+/// direction of its places, which turns.
+fn needs_parameter<Y: Placed>(system: &Y, member: usize) -> bool {
+    let placement = system.placement(member);
+    let turns = [0, 1].iter().any(|end| placement.along(*end).is_none()) && !placement.own_length().is_zero();
+    turns || is_in_path(system, member)
+}
+
+/// Checks that all members that carry axial forces have a parameter for it.
 fn check_members<Y, T>(forces: &AxialForces<'_, Y>) -> Result<(), AxialForceError>
 where
     T: Real,
@@ -128,10 +130,10 @@ where
 {
     let mut trial = forces.system.clone();
     for (member, force) in forces.all().filter(|(_, force)| !force.is_zero()) {
-        let placement = forces.system.placement(member);
-        let turns = [0, 1].iter().any(|end| placement.along(*end).is_none()) && !placement.own_length().is_zero();
         // a force out of range is an error of the structure under it
-        if turns && trial.add_axial_force(member, force.words()) == Some(Ok(false)) {
+        let bears =
+            !is_in_path(forces.system, member) && trial.add_axial_force(member, force.words()) != Some(Ok(false));
+        if needs_parameter(forces.system, member) && !bears {
             let (member, name) = forces.system.called(member);
             return Err(AxialForceError::NoAxialForce { member, name, force: force.to_f64() });
         }
@@ -144,13 +146,15 @@ pub(super) fn with_axial_forces<Y: Prestressed>(system: &Y, forces: &AxialForces
     let mut own = system.clone();
     let are_own = forces.system.sizes() == system.sizes();
     for (member, force) in forces.all().filter(|(_, force)| !force.is_zero()) {
-        let borne = own.add_axial_force(member, force.words()).filter(|_| are_own);
         let of_other = InvalidParameter {
             parameter: "axial_force",
             value: force.to_f64(),
             requirement: Requirement::SameStructure,
         };
-        borne.unwrap_or(Err(of_other)).map_err(|error| error.of(system.called(member).1))?;
+        let bears = own.add_axial_force(member, force.words()).filter(|_| are_own).unwrap_or(Err(of_other));
+        let is_borne =
+            bears.and_then(|bears| if bears || !needs_parameter(system, member) { Ok(()) } else { Err(of_other) });
+        is_borne.map_err(|error| error.of(system.called(member).1))?;
     }
     own.describe();
     Ok(own)
@@ -169,13 +173,12 @@ where
         let loaded = with_axial_forces(system, &forces)?;
         let next = AxialForces { system, forces: axial_forces(&loaded, loads)?.forces };
         let last = core::mem::replace(&mut change, next.change(&forces));
-        let is_exact = change <= ROUNDING * T::EPSILON * next.largest();
+        let largest = next.largest();
         forces = next;
-        if is_exact {
+        // near a critical load rounding is all that still changes
+        let rests = change <= SETTLED * largest && change >= 0.5 * last;
+        if rests || change <= ROUNDING * T::EPSILON * largest {
             return Ok(with_axial_forces(system, &forces)?);
-        }
-        if change.is_nan() || change > last {
-            break;
         }
     }
     Err(AxialForceError::Unsettled { change })

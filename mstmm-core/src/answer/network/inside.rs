@@ -87,7 +87,7 @@ where
     }
 
     /// The interior of a member.
-    fn inside(&self, member: usize) -> Result<Inside, MotionError> {
+    pub(super) fn inside(&self, member: usize) -> Result<Inside, MotionError> {
         self.member(member)?;
         self.system.visit_member(member, InsideOf(self.x)).flatten().ok_or(MotionError::NoInside)
     }
@@ -98,7 +98,7 @@ where
     }
 
     /// The motion of a cross section of a member, in its axes.
-    fn motion_at(&self, member: usize, distance: f64) -> EndMotion<S> {
+    pub(super) fn motion_at(&self, member: usize, distance: f64) -> EndMotion<S> {
         let (motion, load) = (self.member_ends(member), self.load_on(member));
         self.system.visit_member(member, MotionAt { motion, load, distance }).unwrap_or(motion.ends[1])
     }

@@ -1,10 +1,11 @@
 //! Answers about the motion of plane structures.
 
+mod about;
 pub(crate) mod axial_forces;
+mod carried;
 pub(crate) mod energies;
 pub(crate) mod geometry;
 pub(crate) mod inside;
-mod levers;
 mod moving_mass;
 pub(crate) mod of_frame;
 pub(crate) mod own_load;

@@ -1,8 +1,11 @@
 //! Questions about motions of plane structures: the trait that users call.
 
 use crate::answer::modal::participation::Participation;
+#[cfg(feature = "std")]
+use crate::answer::modal::participation::{ParticipationFactor, collect};
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
+use crate::answer::network::about::factor;
 use crate::answer::network::axial_forces::{AxialForces, axial_forces, settled_under, with_axial_forces};
 use crate::answer::network::moving_mass::moving_mass;
 use crate::answer::network::of_frame::{OfFrame, for_each_shape};
@@ -122,7 +125,7 @@ pub trait FrameAnalysis: Placed + Sized {
         ModalResponse::new(&OfFrame::new(self, load, entry)?, roots)
     }
 
-    /// How much of the mass the modes of some roots take with them along a direction, as [`Participation`] says: up to `N` shapes.
+    /// How much of the mass the modes of some roots take with them along a direction, or about an axis, as [`Participation`] says: up to `N` shapes.
     ///
     /// # Errors
     /// [`MotionError::Capacity`] for more than `N` shapes, or more than both 4 and `N` of one root; else as [`moving_mass`](FrameAnalysis::moving_mass) and
@@ -140,10 +143,36 @@ pub trait FrameAnalysis: Placed + Sized {
     {
         const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
         let total = self.moving_mass(direction)?;
-        let weight = PlaneLoad::weight(direction.axis);
         Participation::new(total, roots, |root, add| {
-            for_each_shape::<N, _, _, _>(self, root, |shape| shape.work(weight), add)
+            for_each_shape::<N, _, _, _>(self, root, |shape| factor(shape, direction), add)
         })
+    }
+
+    /// The factors of [`participation`](FrameAnalysis::participation) of any number of shapes, in a vector.
+    ///
+    /// # Errors
+    /// As [`participation`](FrameAnalysis::participation), of which up to four shapes of one root have room.
+    #[cfg(feature = "std")]
+    fn participations<'r, R>(
+        &self,
+        roots: impl IntoIterator<Item = &'r R>,
+        direction: Direction<Self::Model>,
+    ) -> Result<std::vec::Vec<ParticipationFactor<Self::Parameter>>, MotionError>
+    where
+        R: Root<<Self as System>::Parameter, Frequency = <Self as System>::Parameter> + 'r,
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter>,
+        Self: MovingNetwork<<Self as System>::Parameter>,
+    {
+        const { assert!(!Self::SPINS, "modes of a rotor have no effective mass: take `frequency_response`") };
+        let mut factors = std::vec::Vec::new();
+        let each = |root: &R, add: &mut dyn FnMut(Self::Parameter) -> Result<(), MotionError>| {
+            for_each_shape::<0, _, _, _>(self, root, |shape| factor(shape, direction), add)
+        };
+        collect(roots, each, |factor| {
+            factors.push(factor);
+            Ok(())
+        })?;
+        Ok(factors)
     }
 
     /// A bound for what a sum over the modes of some roots leaves out of a response, up to a reach \[rad/s\] below which these are all modes. [`Truncation`] has the theorem.
@@ -183,7 +212,7 @@ pub trait FrameAnalysis: Placed + Sized {
     ///
     /// # Errors
     /// [`AxialForceError::NoAxialForce`] for a member that carries one and has no parameter for it, [`AxialForceError::Lever`] for what is rigid and has forces on levers, as a link
-    /// between two places; [`MotionError::LossFactor`] where something has a loss factor; else as [`at`](PlaneResponse::at) at rest.
+    /// between two places, [`AxialForceError::Slides`] for a joint or a released end that slides across a force; [`MotionError::LossFactor`] where something has a loss factor; else as [`at`](PlaneResponse::at) at rest.
     fn axial_forces(
         &self,
         loads: &[(PlaneLoad<Self::Model>, <Self as System>::Parameter)],
@@ -198,7 +227,7 @@ pub trait FrameAnalysis: Placed + Sized {
     /// The structure under axial forces besides those that it has: its frequencies, its responses (P-Δ), its critical loads follow.
     ///
     /// # Errors
-    /// [`ParameterError`] for a member that does not take its force, as a string that would be slack, and for forces of another structure.
+    /// [`ParameterError`] for a member that does not take its force, as a string that would be slack, and for forces of a structure with other members.
     fn with_axial_forces(&self, forces: &AxialForces<'_, Self>) -> Result<Self, ParameterError>
     where
         Self: Prestressed,
@@ -227,7 +256,7 @@ pub trait FrameAnalysis: Placed + Sized {
     }
 
     /// The mass that modes can move along a direction \[kg\]: of each member what it has along the direction, of each body what no support holds. It is what
-    /// effective masses of all modes sum up to.
+    /// effective masses of all modes sum up to. About an axis it is a moment of inertia [kg m²].
     ///
     /// One part is never reached: at a held end a beam with rotary inertia and without shear has a layer of the mass `m r tanh(l/r)`, with `r² = ρI/m`, that
     /// no mode moves.

@@ -178,6 +178,9 @@ pub(super) fn acting_at<Y: Placed, S: Frequency<Y::Parameter>>(
     let (site, axis) = match load {
         PlaneActing::Spread(load) => {
             load.member.map_or(Ok(0), |member| system.member_of(member))?;
+            if ROTATIONS.contains(&load.axis) {
+                return Err(MotionError::NoSuchFreedom { freedom: Freedoms::EACH[load.axis] });
+            }
             return Ok(ActingLoad::Spread(load));
         }
         PlaneActing::Dislocation(member, end, force) => {

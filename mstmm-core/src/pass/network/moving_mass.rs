@@ -1,6 +1,6 @@
-//! The mass of bodies that modes can move along an axis.
+//! The mass of bodies that modes can move along an axis, or about one.
 //!
-//! With the mass matrix A of all motions and the momentum b of a displacement of 1 along the axis, all modes together have the effective mass `bᵀ A⁻¹ b`: that of the
+//! With the mass matrix A of all motions and the momentum b of a displacement of 1 along the axis, or a rotation about it, all modes together have the effective mass `bᵀ A⁻¹ b`: that of the
 //! displacement if nothing holds it. Bodies are eliminated one after the other, those that hang on others first.
 
 use crate::element::MemberNumbers;
@@ -11,7 +11,7 @@ use crate::pass::network::placed::Placed;
 use crate::pass::network::ties::{Tie, from_leaves, shares};
 use crate::pass::network::vector::Six;
 use mstmm_plan::Freedoms;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// The part of a diagonal entry of a mass matrix below which what is left of it is rounding: of six eliminations with some roundings each.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -82,34 +82,37 @@ fn stands_for(tied: &[Tied], node: usize) -> usize {
     last
 }
 
-/// The mass of all bodies along an axis, as far as modes can move it.
+/// The mass of all bodies as far as modes can move it as a whole, given what that moves each node by: along an axis, or about one.
 ///
 /// # Errors
 /// [`MotionError::HeldMass`] for a body that something holds in part, where rigid joints tie it otherwise than motion by motion, or rounding hides how it turns.
-pub(crate) fn mass_of_bodies<Y: Placed>(network: &Y, axis: usize) -> Result<Y::Parameter, MotionError> {
+pub(crate) fn mass_of_bodies<Y: Placed>(
+    network: &Y,
+    rigid: impl Fn(usize) -> Six<Y::Parameter>,
+) -> Result<Y::Parameter, MotionError> {
     let count = network.sizes()[0];
     let mut tied = network.per_node(Tied { by: 0, all_move: true, is_odd: false });
     let tied = &mut tied.as_mut()[..count];
     for (node, tied) in tied.iter_mut().enumerate() {
-        *tied = Tied { by: node as u32, all_move: moves_along(network, node, axis), is_odd: false };
+        *tied = Tied { by: node as u32, all_move: moves_along(network, node, &rigid(node)), is_odd: false };
     }
     tie_all(network, tied);
     let mut inertias = network.per_node(Inertia::none());
     let mut mass = Y::Parameter::zero();
-    let mut along = [Y::Parameter::zero(); 6];
-    along[axis] = Y::Parameter::one();
     for (node, inertia) in inertias.as_mut().iter_mut().enumerate().take(count) {
         let (body, motions) = network.node(node);
         let Tied { all_move, is_odd, .. } = tied[stands_for(tied, node)];
+        let rigid = rigid(node);
+        let whole = body.mass_form(rigid, rigid);
         if all_move {
-            mass += body.mass;
-        } else if is_odd && !body.mass.is_zero() {
+            mass += whole;
+        } else if is_odd && !whole.is_zero() {
             return Err(MotionError::HeldMass { at: network.spot(node) });
         } else if body.has_body() {
             let masses = motions.masses::<Y::Parameter>(body);
             let diagonal = core::array::from_fn(|motion| masses[motion][motion]);
-            let largest = diagonal.map(|own: Y::Parameter| (own * body.mass).sqrt());
-            let momentum = motions.parts_of(body.momentum(along));
+            let largest = diagonal.map(|own: Y::Parameter| (own * whole).sqrt());
+            let momentum = motions.parts_of(body.momentum(rigid));
             *inertia = Inertia { masses, diagonal, largest, momentum };
         }
     }
@@ -134,10 +137,11 @@ fn tie_all<Y: Placed>(network: &Y, tied: &mut [Tied]) {
     }
 }
 
-/// Whether nothing holds a node along an axis.
-fn moves_along<Y: Placed>(network: &Y, node: usize, axis: usize) -> bool {
+/// Whether nothing holds a node in a displacement.
+fn moves_along<Y: Placed>(network: &Y, node: usize, displaced: &Six<Y::Parameter>) -> bool {
     let (body, motions) = network.node(node);
-    body.skew.is_none() && !body.held.contains(Freedoms::EACH[axis]) && !motions.rests_along(axis)
+    let mut moved = (0..displaced.len()).filter(|axis| !displaced[*axis].is_zero());
+    body.skew.is_none() && moved.all(|axis| !body.held.contains(Freedoms::EACH[axis]) && !motions.rests_along(axis))
 }
 
 /// The mass of bodies of which some are held, node by node.
