@@ -13,6 +13,7 @@ mod numbers;
 mod participation;
 mod random;
 mod ranges;
+mod refused_forces;
 mod spectra;
 mod supports;
 mod truncation;
