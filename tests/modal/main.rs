@@ -11,6 +11,7 @@ mod models;
 #[path = "../support/random.rs"]
 mod numbers;
 mod participation;
+mod published;
 mod random;
 mod ranges;
 mod refused_forces;
