@@ -1,4 +1,4 @@
-//! Writes the pictures of the documents: the systems of the paper, the portal with its first mode, and one in space.
+//! Writes the pictures of the documents: the systems of the paper, the portal with its first mode, one in space, and diagrams of modes.
 
 #[path = "../../examples/portal.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
@@ -8,8 +8,17 @@ pub(crate) mod portal;
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
 mod space_portal;
 
+#[path = "../../examples/earthquake.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example of its own")]
+mod earthquake;
+
+#[path = "../../examples/tolerances.rs"]
+#[allow(dead_code, unreachable_pub, reason = "an example of its own")]
+mod tolerances;
+
 use mstmm::prelude::*;
-use mstmm_drawing::{Drawing, Force};
+use mstmm::search::ToleranceBox;
+use mstmm_drawing::{Drawing, Force, ModeDiagram};
 use paper::models;
 use std::error::Error;
 use std::path::Path;
@@ -35,7 +44,16 @@ pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> 
     let damped_oscillator = models::damped_oscillator().build()?;
     let in_space = space_portal::steel().build()?;
     let third = in_space.mode_shape(&in_space.first_frequencies::<3>()?[2])?;
+    let house = earthquake::house().build()?;
+    let modes = house.first_frequencies::<{ earthquake::MODES }>()?;
+    let masses = house.participation::<{ earthquake::MODES }, _>(&modes, Direction::x())?;
+    let spectrum = (earthquake::code, earthquake::AT_ONCE);
+    let lot = ToleranceBox::between(tolerances::portal(-1.0).build()?, tolerances::portal(1.0).build()?)?;
+    let ranges = ModeDiagram::ranges(&lot.first_frequencies::<5>()?)?.marked(10.0, 20.0);
     Ok(vec![
+        ("masses", ModeDiagram::masses(&modes, &masses)?.to_string()),
+        ("spectrum", ModeDiagram::spectrum(&modes, &spectrum, 0.05)?.to_string()),
+        ("ranges", ranges.to_string()),
         ("portal", Drawing::of(&system)?.to_string()),
         ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),
         ("portal_moment", Drawing::of(&system)?.forces(&first, Force::Moment)?.to_string()),

@@ -1,6 +1,6 @@
 //! Campbell diagrams: the frequencies of both whirls of a rotor over its speed, with lines of order and critical speeds.
 
-use crate::chart::{Chart, SIZE, text};
+use crate::chart::{Chart, page, text};
 use crate::error::DrawingError;
 use crate::outline::Outline;
 use crate::picture::{element, path};
@@ -149,19 +149,7 @@ fn legend() -> Element {
 impl fmt::Display for CampbellDiagram {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(chart) = Chart::up_to(self.most) else { return Err(fmt::Error) };
-        let mut svg = element("svg", "mstmm-chart");
-        svg.assign("xmlns", "http://www.w3.org/2000/svg");
-        svg.assign("viewBox", format!("0 0 {} {}", SIZE[0], SIZE[1]));
-        svg.assign("width", SIZE[0]);
-        svg.assign("height", SIZE[1]);
-        svg.assign("role", "img");
-        svg.assign("aria-label", "a Campbell diagram");
-        let mut style = Element::new("style");
-        style.append(Text::new(include_str!("style_of_charts.css")));
-        svg.append(style);
-        svg.append(chart.axes(["speed [rpm]", "frequency [Hz]"]));
-        svg.append(self.inside(&chart));
-        svg.append(legend());
-        writeln!(f, "{svg}")
+        let parts = [chart.axes(["speed [rpm]", "frequency [Hz]"]), self.inside(&chart), legend()];
+        writeln!(f, "{}", page("a Campbell diagram", parts))
     }
 }

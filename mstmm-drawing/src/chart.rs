@@ -14,7 +14,7 @@ const TOP: f64 = 24.0;
 const BOTTOM: f64 = 384.0;
 
 /// Size of the picture.
-pub(crate) const SIZE: [f64; 2] = [700.0, 440.0];
+const SIZE: [f64; 2] = [700.0, 440.0];
 
 /// About so many ticks of an axis.
 const TICKS: f64 = 6.0;
@@ -66,6 +66,22 @@ impl Chart {
         all.append(path("frame", &Outline::line(corners.into())));
         all
     }
+}
+
+/// A chart as a picture, of its parts.
+pub(crate) fn page(label: &str, parts: impl IntoIterator<Item = Element>) -> Element {
+    let mut svg = element("svg", "mstmm-chart");
+    svg.assign("xmlns", "http://www.w3.org/2000/svg");
+    svg.assign("viewBox", format!("0 0 {} {}", SIZE[0], SIZE[1]));
+    svg.assign("width", SIZE[0]);
+    svg.assign("height", SIZE[1]);
+    svg.assign("role", "img");
+    svg.assign("aria-label", label);
+    let mut style = Element::new("style");
+    style.append(Text::new(include_str!("style_of_charts.css")));
+    svg.append(style);
+    parts.into_iter().for_each(|part| svg.append(part));
+    svg
 }
 
 /// A text in the middle of a place, or before it.

@@ -1,5 +1,4 @@
 //! Values that others printed: a benchmark of forced vibration, and a frame of a textbook.
-#![expect(clippy::unwrap_used, reason = "a model that is refused fails the test")]
 
 use crate::models::assert_close;
 use core::f64::consts::TAU;
