@@ -3,17 +3,18 @@
 //! Questions are methods of [`ModalAnalysis`], of plane structures of [`FrameAnalysis`]; points of a model are its labels, such as
 //! `Footbridge::conn_2`.
 
-#[cfg(feature = "std")]
-pub use mstmm_core::record_spectrum;
 pub use mstmm_core::{
-    AxialForceError, Combination, Compliance, Coordinate, Direction, Directions, Drawn, DrawnBody, DrawnEnd,
-    DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry,
-    EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, InSpace, Label, MacError, MemberEnd, MemberLabel,
-    MemberState, ModalAnalysis, MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode,
-    PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum,
-    Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree,
-    Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
+    AxialForceError, Combination, Compliance, Coordinate, Direction, Directions, DiscreteStateSpace, Drawn, DrawnBody,
+    DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry,
+    EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, HoldOrder, InSpace, Label, MacError, MemberEnd,
+    MemberLabel, MemberState, ModalAnalysis, ModalStateSpace, MotionError, MovingNetwork, Orbit, OscillatorPeak,
+    ParticipationFactor, PeakOfMode, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
+    Planned, Point, ResponseSpectrum, Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError,
+    SpectrumTable, State, SystemStates, Tree, Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac,
+    oscillator_peak,
 };
+#[cfg(feature = "std")]
+pub use mstmm_core::{StateMatrices, record_spectrum};
 
 /// A load on a path: a force or a moment at a point, a load along an element, or the weight of all that moves in Y.
 ///

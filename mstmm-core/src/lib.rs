@@ -34,6 +34,7 @@ pub use answer::frame_sensitivity::FrameSensitivities;
 pub use answer::frequency_response::FrequencyResponse;
 pub use answer::mac::{MacError, mac};
 pub use answer::many_frequencies::ManyFrequencies;
+pub use answer::modal::discrete::{DiscreteStateSpace, HoldOrder};
 pub use answer::modal::exact::ExactResponse;
 pub use answer::modal::history::{EntryMotion, ForceHistory};
 #[cfg(feature = "std")]
@@ -44,6 +45,9 @@ pub use answer::modal::response::ModalResponse;
 pub use answer::modal::spectrum::{
     Combination, Directions, PeakOfMode, ResponseSpectrum, SpectralPeak, SpectrumTable, combined,
 };
+pub use answer::modal::state_space::ModalStateSpace;
+#[cfg(feature = "std")]
+pub use answer::modal::state_space::StateMatrices;
 pub use answer::modal::truncation::{Truncation, Variation};
 pub use answer::mode_shape::{ModeShape, ShapeList};
 pub use answer::network::axial_forces::AxialForces;

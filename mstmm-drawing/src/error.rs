@@ -24,6 +24,14 @@ pub enum DrawingError {
         /// Its largest extent.
         size: f64,
     },
+    /// Factors of participation are those of another list of roots.
+    #[error("the list has {roots} roots, but the participation is that of {of_shapes}")]
+    Roots {
+        /// Roots of the list.
+        roots: usize,
+        /// Roots of the participation.
+        of_shapes: usize,
+    },
     /// An angle of a view is not finite.
     #[error("a view with the azimuth {azimuth} and the elevation {elevation} has no direction")]
     View {

@@ -40,7 +40,7 @@ const BEYOND: f64 = 1.08;
 /// let roots = tower.first_frequencies::<4>()?;
 /// let participation = tower.participation::<4, _>(&roots, Direction::y())?;
 /// let masses = ModeDiagram::masses(&roots, &participation)?;
-/// assert!(masses.to_string().contains("effective mass [%]"));
+/// assert!(masses.to_string().contains("part of all that moves [%]"));
 /// // 4 m/s² up to 8 Hz, and less beyond
 /// let spectrum = (|omega: f64, _ratio: f64| 4.0_f64.min(200.0 / omega), 1.5);
 /// let peaks = ModeDiagram::spectrum(&roots, &spectrum, 0.05)?;
@@ -63,7 +63,11 @@ pub struct ModeDiagram {
 }
 
 impl ModeDiagram {
-    fn with(most: Vector, names: [&'static str; 2]) -> Result<Self, DrawingError> {
+    /// A diagram without parts, of numbers that are all finite.
+    fn with(most: Vector, names: [&'static str; 2], all: impl IntoIterator<Item = f64>) -> Result<Self, DrawingError> {
+        if let Some(value) = all.into_iter().find(|value| !value.is_finite()) {
+            return Err(DrawingError::NotFinite { name: String::from("a number of the diagram"), value });
+        }
         let size = most[0].max(most[1]);
         let most = most.map(|value| BEYOND * value);
         Chart::up_to(most).ok_or(if size > 0.0 { DrawingError::Size { size } } else { DrawingError::Empty })?;
@@ -81,18 +85,25 @@ impl ModeDiagram {
     /// A spectrum of accelerations [m/s²] at a damping ratio over the frequency, with the modes of some roots on it.
     ///
     /// # Errors
-    /// [`DrawingError::Empty`] without roots, [`DrawingError::Size`] for values without a scale.
+    /// [`DrawingError::Empty`] without roots, [`DrawingError::NotFinite`] and [`DrawingError::Size`] for values without a scale.
     pub fn spectrum(
         roots: &[NaturalFrequency],
         spectrum: &impl ResponseSpectrum<f64>,
         ratio: f64,
     ) -> Result<Self, DrawingError> {
+        if roots.is_empty() {
+            return Err(DrawingError::Empty);
+        }
         let hertz = roots.iter().map(|root| root.omega / TAU);
         let last = BEYOND * hertz.clone().fold(0.0, f64::max);
         let at = |hertz: f64| [hertz, spectrum.acceleration(TAU * hertz, ratio)];
         let curve: Vec<Vector> = (1..=POINTS).map(|k| at(last * k as f64 / POINTS as f64)).collect();
         let most = curve.iter().map(|point| point[1]).fold(0.0, f64::max);
-        let mut own = ModeDiagram::with([last / BEYOND, most], ["frequency [Hz]", "spectral acceleration [m/s²]"])?;
+        let mut own = ModeDiagram::with(
+            [last / BEYOND, most],
+            ["frequency [Hz]", "spectral acceleration [m/s²]"],
+            hertz.clone().chain(curve.iter().map(|point| point[1])),
+        )?;
         own.lines.push(("forward", curve));
         own.points = hertz.map(|hertz| (at(hertz), format!("{hertz:.3} Hz: {:.3} m/s²", at(hertz)[1]))).collect();
         Ok(own)
@@ -101,13 +112,21 @@ impl ModeDiagram {
     /// The part of the mass that each mode takes with it, as bars over the frequency, and their sum as a line.
     ///
     /// # Errors
-    /// As [`spectrum`](ModeDiagram::spectrum).
+    /// [`DrawingError::Roots`] for a participation of other roots, [`DrawingError::Empty`] where nothing moves along its direction; else as [`spectrum`](ModeDiagram::spectrum).
     pub fn masses<const N: usize>(
         roots: &[NaturalFrequency],
         participation: &Participation<f64, N>,
     ) -> Result<Self, DrawingError> {
+        let of_shapes = participation.factors().last().map_or(0, |factor| factor.root + 1);
+        if of_shapes != roots.len() {
+            return Err(DrawingError::Roots { roots: roots.len(), of_shapes });
+        }
         let last = roots.iter().map(|root| root.omega / TAU).fold(0.0, f64::max);
-        let mut own = ModeDiagram::with([last, 100.0], ["frequency [Hz]", "effective mass [%]"])?;
+        if participation.total() == 0.0 {
+            return Err(DrawingError::Empty);
+        }
+        let all = roots.iter().map(|root| root.omega).chain([participation.total()]);
+        let mut own = ModeDiagram::with([last, 100.0], ["frequency [Hz]", "part of all that moves [%]"], all)?;
         let mut sum = vec![[0.0; 2]];
         for (mode, root) in roots.iter().enumerate() {
             let [part, all] = [participation.effective_mass(mode), participation.cumulative(mode)]
@@ -127,7 +146,8 @@ impl ModeDiagram {
     /// As [`spectrum`](ModeDiagram::spectrum).
     pub fn ranges(ranges: &[FrequencyRange<f64>]) -> Result<Self, DrawingError> {
         let last = ranges.iter().map(|range| range.highest.omega / TAU).fold(0.0, f64::max);
-        let mut own = ModeDiagram::with([last, ranges.len() as f64], ["frequency [Hz]", "number"])?;
+        let all = ranges.iter().flat_map(|range| [range.lowest.omega, range.highest.omega]);
+        let mut own = ModeDiagram::with([last, ranges.len() as f64], ["frequency [Hz]", "number"], all)?;
         own.bands = ranges
             .iter()
             .enumerate()
@@ -139,7 +159,7 @@ impl ModeDiagram {
         Ok(own)
     }
 
-    /// The diagram with a range of frequencies \[Hz\] that is marked, such as that of a machine.
+    /// The diagram with a range of frequencies \[Hz\] that is marked, such as that of a machine; nothing where it is empty or reversed.
     #[must_use]
     pub fn marked(self, from: f64, to: f64) -> Self {
         ModeDiagram { marked: (from < to).then_some([from, to]), ..self }

@@ -16,6 +16,7 @@ mod random;
 mod ranges;
 mod refused_forces;
 mod spectra;
+mod state_spaces;
 mod supports;
 mod truncation;
 mod work;

@@ -21,9 +21,9 @@ fn what_has_no_parameter_for_its_force_is_refused() {
     let refused = strut.axial_forces(&[(Strut::conn_b.force_x(), 10.0)]).unwrap_err();
     let member = Spot::Named("beam 1");
     assert_eq!(refused, AxialForceError::NoAxialForce { member, name: "beam 1", force: 10.0 });
-    assert!(
-        refused.to_string().starts_with("beam 1 carries an axial force of 10 N and has no parameter for it: name it")
-    );
+    assert!(refused.to_string().starts_with(
+        "beam 1 carries an axial force of 10 N and has no parameter for it: a beam or a bar has one if it is named"
+    ));
     // across it there is none
     assert!(strut.axial_forces(&[(Strut::conn_b.force_y(), 10.0)]).is_ok());
 
@@ -154,8 +154,12 @@ fn forces_of_all_sizes_are_taken() {
         assert_close(sway(&loaded), sway(&structure), 1e-15);
     }
     assert_close(structure.axial_forces(&[(tip.force_y(), -1e155)]).unwrap().get(mast).unwrap(), -0.8e155, 1e-14);
-    let infinite = structure.axial_forces(&[(tip.force_y(), f64::INFINITY)]).map(|_| ()).unwrap_err();
-    assert_eq!(infinite, AxialForceError::Motion(MotionError::NotFinite { frequency: 0.0 }));
+    for value in [f64::INFINITY, f64::NAN] {
+        let refused = structure.axial_forces(&[(tip.force_y(), 1.0), (tip.force_y(), value)]).map(|_| ()).unwrap_err();
+        assert!(matches!(refused, AxialForceError::Load { index: 1, .. }), "{refused}");
+    }
+    let too_large = structure.axial_forces(&[(tip.force_y(), 1e308); 4]).map(|_| ()).unwrap_err();
+    assert_eq!(too_large, AxialForceError::Motion(MotionError::NotFinite { frequency: 0.0 }));
 
     // a link behind which nothing acts carries rounding alone
     let mut frame = Frame::<Plane>::new();

@@ -2,6 +2,7 @@
 //!
 //! `cargo bench --bench modal`. Times are the least of many rounds; quote the ratios.
 
+use mstmm::motion::HoldOrder;
 use mstmm::prelude::*;
 use mstmm::search::ToleranceBox;
 use std::hint::black_box;
@@ -73,6 +74,19 @@ fn main() -> Result<(), Failure> {
         black_box(history.next(f64::from(k % 7)));
     }
     row("a step of a history of ten damped modes", start.elapsed().as_secs_f64() * 1e6 / 2e5);
+    let space = system.state_space::<10, 1, 1>(&roots, [Plain::conn_b.force_x()], [Plain::conn_b.displacement_x()])?;
+    let mut discrete = space.with_damping_ratio(0.02)?.discrete(1e-3, HoldOrder::First)?;
+    let mut single = discrete.single();
+    let start = Instant::now();
+    for k in 0..200_000_u32 {
+        black_box(discrete.step(&[f64::from(k % 7)]));
+    }
+    row("a step of a state space of ten modes", start.elapsed().as_secs_f64() * 1e6 / 2e5);
+    let start = Instant::now();
+    for k in 0..200_000_u32 {
+        black_box(single.step(&[(k % 7) as f32]));
+    }
+    row("the same in single precision", start.elapsed().as_secs_f64() * 1e6 / 2e5);
 
     let loaded = Portal { ea: 4e8, ei: 1e6, m: 20.0, machine: 100.0 }.build()?;
     let dead = [(Portal::conn_b.force_y(), -2e5), (Portal::beam_2.uniform_load_y(), -1e4)];

@@ -5,6 +5,7 @@ use crate::answer::modal::moving_mass::moving_mass;
 use crate::answer::modal::of_tree::{OfTree, for_each_shape};
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
+use crate::answer::modal::state_space::ModalStateSpace;
 use crate::answer::modal::truncation::{Truncation, check_list};
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::repeated_root::all_shapes;
@@ -13,9 +14,10 @@ use crate::answer::sensitivity::{Sensitivities, sensitivities};
 use crate::answer::tree_sketch::TreeSketch;
 use crate::element::ListElement;
 use crate::model::{Chain, Direction, Entry, Load, MotionError, TruncationError};
-use crate::number::{Frequency, Oscillation};
+use crate::number::{Frequency, Oscillation, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::drawn_tree::DrawnTree;
+use crate::pass::route::Place;
 use crate::pass::step_list::StepList;
 use crate::pass::tree::{ExtendedTree, Planned};
 use crate::search::{NaturalFrequency, Undamped};
@@ -150,6 +152,47 @@ pub trait ModalAnalysis: System {
     {
         const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
         ModalResponse::new(&OfTree::new(self, load, entry)?, roots)
+    }
+
+    /// The modes of some roots as a state space whose inputs are loads and whose outputs are entries, as [`ModalStateSpace`] says: up to `MODES` shapes.
+    ///
+    /// # Errors
+    /// [`MotionError::NotModal`] for a dislocation, as the motion of a support is one; else as [`modal_response`](ModalAnalysis::modal_response).
+    fn state_space<'r, const MODES: usize, const I: usize, const O: usize>(
+        &self,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<<Self as System>::Parameter>> + Clone,
+        loads: [Load<<Self as Planned>::Model>; I],
+        entries: [Entry<<Self as Planned>::Model>; O],
+    ) -> Result<ModalStateSpace<<Self as System>::Parameter, MODES, I, O>, MotionError>
+    where
+        <Self as System>::Parameter: Oscillation<<Self as System>::Parameter> + 'r,
+        Self: ExtendedTree<<Self as System>::Parameter> + Sized,
+    {
+        const { assert!(!Self::SPINS, "a state space of a rotor needs the modes of both whirls: take `frequency_response`") };
+        let zero = <Self as System>::Parameter::from_f64(0.0);
+        let mut feed = [[zero; I]; O];
+        for (row, entry) in feed.iter_mut().zip(entries) {
+            for (own, load) in row.iter_mut().zip(loads) {
+                *own = self.modal_response::<MODES, NaturalFrequency<_>>(roots.clone(), load, entry)?.fed()?;
+            }
+        }
+        let mut space = ModalStateSpace::of_feed(feed);
+        for root in roots {
+            space.begin_root();
+            let each = |shape: &ModeShape<'_, Self, <Self as System>::Parameter>| {
+                let (mut inputs, mut outputs) = ([zero; I], [zero; O]);
+                for (input, load) in inputs.iter_mut().zip(loads) {
+                    *input = shape.work(load)?;
+                }
+                for (output, entry) in outputs.iter_mut().zip(entries) {
+                    let Place { step, beyond, coordinate } = Place::of_entry(self, entry)?;
+                    *output = shape.at(step, beyond).entry(coordinate);
+                }
+                space.push(root.omega, inputs, outputs).map(|()| zero)
+            };
+            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))?;
+        }
+        Ok(space)
     }
 
     /// How much of the mass the modes of some roots take with them, as [`Participation`] says: up to `N` shapes. Deflections have one direction, y.

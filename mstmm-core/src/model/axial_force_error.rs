@@ -39,6 +39,13 @@ pub enum AxialForceError {
         /// The last change of an axial force \[N\].
         change: f64,
     },
+    /// A load whose value is not finite.
+    Load {
+        /// Its index in the list.
+        index: usize,
+        /// The value.
+        value: f64,
+    },
     /// A load, or the motion under it.
     Motion(MotionError),
     /// A member that does not take its axial force.
@@ -72,8 +79,8 @@ impl fmt::Display for AxialForceError {
                 write_member(f, member, name)?;
                 write!(
                     f,
-                    " carries an axial force of {force} N and has no parameter for it: name it in a beam or a bar, `axial_force: 0.0`; a string adds it to its tension; a spring, a \
-                     rod or an element of your own between two places bears none"
+                    " carries an axial force of {force} N and has no parameter for it: a beam or a bar has one if it is \
+                     named, `axial_force: 0.0`; a string adds it to its tension; make a spring or a rod between two places a `bar`"
                 )
             }
             AxialForceError::Lever { point, stiffness } => write!(
@@ -92,6 +99,9 @@ impl fmt::Display for AxialForceError {
                 f,
                 "axial forces go on changing, by {change} N in the last step: the load is near a critical one, or beyond it"
             ),
+            AxialForceError::Load { index, value } => {
+                write!(f, "load {index} of the list has the value {value}: loads are finite")
+            }
             AxialForceError::Motion(error) => write!(f, "{error}"),
             AxialForceError::Parameter(error) => write!(f, "{error}"),
         }

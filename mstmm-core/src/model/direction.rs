@@ -57,7 +57,7 @@ impl<M> Direction<M> {
         Direction::along(3)
     }
 
-    /// About z, through a place of the plane, `[x, y]`, or of a line, x: for factors of participation and what modes move about it.
+    /// About z, through a place `[x, y]` of the plane, or x of a line. Participation and moving mass take it; the ground of `base_acceleration` does not turn.
     pub fn about(place: impl AxisPlace) -> Self {
         Direction::through(2, place)
     }

@@ -52,8 +52,8 @@ impl fmt::Display for ToleranceError {
         match self {
             ToleranceError::NotOrdered { element, parameter, soft, stiff } => write!(
                 f,
-                "`{parameter}` of {element} is {soft} in the soft system and {stiff} in the stiff one: stiffnesses have to grow, masses and inertias to fall, and all else has \
-                 to be the same"
+                "`{parameter}` of {element} is {soft} in the soft system and {stiff} in the stiff one: from the first system to the second stiffnesses have to grow, masses and inertias to \
+                 fall, and all else has to be the same"
             ),
             ToleranceError::NotAlike { at } => {
                 write!(f, "the two systems are not alike at {at}: a box has one topology and one geometry")

@@ -38,6 +38,15 @@ impl<T, const CAP: usize> Deref for CriticalLoads<T, CAP> {
     }
 }
 
+impl<'a, T, const CAP: usize> IntoIterator for &'a CriticalLoads<T, CAP> {
+    type Item = &'a CriticalLoad<T>;
+    type IntoIter = core::slice::Iter<'a, CriticalLoad<T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
 /// Every factor of a range at which the structure under that load begins to have a motion that grows, each certified, with multiplicity.
 ///
 /// The function builds the structure under a factor times the load: its axial forces are proportional to the factor. At rest the count of

@@ -1,6 +1,6 @@
 //! Ranges of critical loads and of critical speeds over boxes of tolerances.
 //!
-//! Of a system that lies between two at each factor no more motions grow than of the soft one, and no fewer than of the stiff one. So its critical factors lie between theirs, number by
+//! Of a system that lies between two at each factor, its axial forces among its parameters, no more motions grow than of the soft one, and no fewer than of the stiff one. So its critical factors lie between theirs, number by
 //! number. Below the critical speed of a number fewer frequencies are below the line of the order: the soft rotor reaches it first.
 
 use crate::model::{LoadError, ParameterError, SpeedError, ToleranceError};
@@ -33,7 +33,10 @@ pub struct CriticalSpeedRange {
 }
 
 impl<Y: Undamped> ToleranceBox<Y> {
-    /// The ranges of the critical factors of a load, given what a system of the box is under a factor of it; of those numbers of which both systems have one in the range of factors.
+    /// The ranges of the critical factors of axial forces, given what a system of the box is under a factor of these; of those numbers of which both systems have one in the range of factors.
+    ///
+    /// They hold for all systems of the box under the same forces, or under forces between those of both ends. Under loads the forces of a structure that is not statically determinate depend on
+    /// its stiffnesses: a column that is stiffer than its neighbours takes more of a load, and the structure may buckle outside of the range then.
     ///
     /// ```
     /// use mstmm_core::Support;

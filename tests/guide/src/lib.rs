@@ -9,6 +9,10 @@ struct Bodies;
 struct Certificates;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/controller.md")]
+struct Controller;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/damping.md")]
 struct Damping;
 

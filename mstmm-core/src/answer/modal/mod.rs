@@ -1,6 +1,7 @@
 //! Responses as sums over modes: in time, in frequency, with damping of each mode.
 
 pub(crate) mod damping;
+pub(crate) mod discrete;
 pub(crate) mod exact;
 pub(crate) mod history;
 pub(crate) mod in_frequency;
@@ -11,5 +12,6 @@ pub(crate) mod participation;
 pub(crate) mod rates;
 pub(crate) mod response;
 pub(crate) mod spectrum;
+pub(crate) mod state_space;
 pub(crate) mod truncation;
 pub(crate) mod work;

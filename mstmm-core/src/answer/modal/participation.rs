@@ -12,7 +12,7 @@ pub struct ParticipationFactor<T> {
     pub value: T,
 }
 
-/// Factors of participation and effective masses of modes along a direction.
+/// Factors of participation and effective masses of modes along a direction; about an axis these are moments of inertia [kg m²].
 ///
 /// A mode of the factor Γ moves as much as a mass of Γ² would, of which the ground feels the inertia. All modes together have the
 /// [total](Participation::total): what no support holds. Of a multiple root the sum over its shapes counts, which no choice of the shapes changes.

@@ -146,6 +146,14 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         Ok(())
     }
 
+    /// What follows a load at once in a state space.
+    ///
+    /// # Errors
+    /// [`MotionError::NotModal`] for the motion of a support, of which parts follow the rate.
+    pub(crate) fn fed(&self) -> Result<T, MotionError> {
+        if self.facts.is_motion { Err(MotionError::NotModal) } else { Ok(self.residual) }
+    }
+
     /// The acceleration of what moves off at once, under a load of 1.
     pub(super) fn away(&self) -> T {
         self.rigid + self.carried

@@ -91,6 +91,9 @@ impl<T: Real> About<T> {
 
     /// Checks that a structure turns about the axis.
     fn check<Y: Placed<Parameter = T>>(&self, system: &Y) -> Result<(), MotionError> {
+        if !self.place.iter().all(|part| part.size().is_finite()) {
+            return Err(MotionError::NotFinite { frequency: 0.0 });
+        }
         if !self.freedom.is(Freedoms::RZ) && system.is_flat() {
             return Err(MotionError::NoSuchFreedom { freedom: self.freedom });
         }

@@ -47,6 +47,22 @@ impl<'a, Y: Placed> Mul<Y::Parameter> for &AxialForces<'a, Y> {
     }
 }
 
+impl<'a, Y: Placed> Mul<Y::Parameter> for AxialForces<'a, Y> {
+    type Output = AxialForces<'a, Y>;
+
+    fn mul(self, factor: Y::Parameter) -> AxialForces<'a, Y> {
+        &self * factor
+    }
+}
+
+impl<'a, Y: Placed<Parameter = f64>> Mul<&AxialForces<'a, Y>> for f64 {
+    type Output = AxialForces<'a, Y>;
+
+    fn mul(self, forces: &AxialForces<'a, Y>) -> AxialForces<'a, Y> {
+        forces * self
+    }
+}
+
 impl<Y: Placed> AxialForces<'_, Y> {
     /// The axial force of a member \[N\], tension positive.
     ///
@@ -88,7 +104,10 @@ where
         return Err(MotionError::LossFactor.into());
     }
     let mut carried = Carried::new(system);
-    for (load, value) in loads {
+    for (index, (load, value)) in loads.iter().enumerate() {
+        if !value.size().is_finite() {
+            return Err(AxialForceError::Load { index, value: value.to_f64() });
+        }
         let under = UnderLoad::new(system, *load)?;
         carried.add(&under, &under.states(Complex::zero(), Wanted::All)?, *value)?;
     }
@@ -98,6 +117,9 @@ where
     for (member, own) in forces.as_mut().iter_mut().enumerate().take(system.sizes()[1]) {
         // of a member in space the first part stretches
         *own = carried.axial(member);
+    }
+    if !forces.as_ref().iter().all(|force| force.size().is_finite()) {
+        return Err(MotionError::NotFinite { frequency: 0.0 }.into());
     }
     for first in 0..system.sizes()[1] {
         let force = forces.as_ref()[first];

@@ -136,10 +136,11 @@ impl<'a, T: Real, Y: Placed + System<Parameter = T>> Carried<'a, Y> {
         force > self.noise && force > ROUNDING * T::EPSILON * sizes
     }
 
-    /// The axial force of a member of a part; zero where it is rounding, of a further part that of the first one.
+    /// The axial force of a part of a member; zero where it is rounding.
     pub(super) fn axial(&self, member: usize) -> T {
         let Part { axial, size, .. } = self.parts.as_ref()[member];
-        if self.counts(axial.size(), size) { axial } else { T::zero() }
+        let is_none = axial.size().is_finite() && !self.counts(axial.size(), size);
+        if is_none { T::zero() } else { axial }
     }
 
     /// Checks that no forces work on rotations of what is rigid.

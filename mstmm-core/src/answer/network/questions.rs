@@ -4,6 +4,7 @@ use crate::answer::modal::participation::Participation;
 #[cfg(feature = "std")]
 use crate::answer::modal::participation::{ParticipationFactor, collect};
 use crate::answer::modal::response::ModalResponse;
+use crate::answer::modal::state_space::ModalStateSpace;
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
 use crate::answer::network::about::factor;
 use crate::answer::network::axial_forces::{AxialForces, axial_forces, settled_under, with_axial_forces};
@@ -18,6 +19,7 @@ use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
 use crate::model::{AxialForceError, Direction, MotionError, ParameterError, PlaneEntry, PlaneLoad, TruncationError};
+use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency, Prestressed};
 use crate::search::{NaturalFrequency, Undamped};
@@ -125,6 +127,47 @@ pub trait FrameAnalysis: Placed + Sized {
         ModalResponse::new(&OfFrame::new(self, load, entry)?, roots)
     }
 
+    /// The modes of some roots as a state space whose inputs are loads and whose outputs are entries, as [`ModalStateSpace`] says: up to `MODES` shapes.
+    ///
+    /// # Errors
+    /// [`MotionError::NotModal`] for the motion of a support, a dislocation or a reaction; else as [`modal_response`](FrameAnalysis::modal_response).
+    #[inline(never)]
+    fn state_space<'r, const MODES: usize, const I: usize, const O: usize>(
+        &self,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<<Self as System>::Parameter>> + Clone,
+        loads: [PlaneLoad<Self::Model>; I],
+        entries: [PlaneEntry<Self::Model>; O],
+    ) -> Result<ModalStateSpace<<Self as System>::Parameter, MODES, I, O>, MotionError>
+    where
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter> + 'r,
+        Self: MovingNetwork<<Self as System>::Parameter>,
+    {
+        const { assert!(!Self::SPINS, "a state space of a rotor needs the modes of both whirls: take `frequency_response`") };
+        let zero = <Self as System>::Parameter::from_f64(0.0);
+        let mut feed = [[zero; I]; O];
+        for (row, entry) in feed.iter_mut().zip(entries) {
+            for (own, load) in row.iter_mut().zip(loads) {
+                *own = self.modal_response::<MODES, NaturalFrequency<_>>(roots.clone(), load, entry)?.fed()?;
+            }
+        }
+        let mut space = ModalStateSpace::of_feed(feed);
+        for root in roots {
+            space.begin_root();
+            let each = |shape: &PlaneShape<'_, Self, <Self as System>::Parameter>| {
+                let (mut inputs, mut outputs) = ([zero; I], [zero; O]);
+                for (input, load) in inputs.iter_mut().zip(loads) {
+                    *input = shape.work(load)?;
+                }
+                for (output, entry) in outputs.iter_mut().zip(entries) {
+                    *output = shape.value(entry)?;
+                }
+                space.push(root.omega, inputs, outputs).map(|()| zero)
+            };
+            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))?;
+        }
+        Ok(space)
+    }
+
     /// How much of the mass the modes of some roots take with them along a direction, or about an axis, as [`Participation`] says: up to `N` shapes.
     ///
     /// # Errors
@@ -205,14 +248,17 @@ pub trait FrameAnalysis: Placed + Sized {
         Ok(Truncation::new(reach, of_load, of_entry))
     }
 
-    /// The axial forces of all members under loads at rest, each with its value: forces \[N\], moments [N m], loads along members [N/m], weights, motions of supports.
+    /// The axial forces of all members under loads at rest, tension positive, of first order: those of the structure as it is, in proportion to the loads.
     ///
-    /// A member between two places carries one force: under a load along it the mean of both ends. What stands at one place, as a joint does, and what acts in directions of its own
-    /// needs no parameter for it. In space the forces of a member do not act on its twist.
+    /// Each load has a value: a force \[N\], a moment [N m], a load along a member [N/m], an acceleration of a weight [m/s²], a motion of a support \[m\]. Under a load along it a member
+    /// has the mean of both ends. Joints and springs in a direction of their own need no parameter for a force; in space a force of a member does not act on its twist.
+    ///
+    /// [`AxialForces`] has an example.
     ///
     /// # Errors
-    /// [`AxialForceError::NoAxialForce`] for a member that carries one and has no parameter for it, [`AxialForceError::Lever`] for what is rigid and has forces on levers, as a link
-    /// between two places, [`AxialForceError::Slides`] for a joint or a released end that slides across a force; [`MotionError::LossFactor`] where something has a loss factor; else as [`at`](PlaneResponse::at) at rest.
+    /// [`AxialForceError::NoAxialForce`] for a member that carries a force and has no parameter for it; [`AxialForceError::Lever`] for a rigid link or body with forces on levers;
+    /// [`AxialForceError::Slides`] for a joint or a released end that slides across a force; [`AxialForceError::Load`] for a value that is not finite; [`MotionError::LossFactor`] where
+    /// something has a loss factor; else as [`at`](PlaneResponse::at) at rest.
     fn axial_forces(
         &self,
         loads: &[(PlaneLoad<Self::Model>, <Self as System>::Parameter)],
@@ -224,7 +270,8 @@ pub trait FrameAnalysis: Placed + Sized {
         axial_forces(self, loads)
     }
 
-    /// The structure under axial forces besides those that it has: its frequencies, its responses (P-Δ), its critical loads follow.
+    /// The structure with axial forces, which are added to those that its members have. Its frequencies, responses (P-Δ), shapes and sensitivities are those under these forces; the loads
+    /// that made them are no part of it.
     ///
     /// # Errors
     /// [`ParameterError`] for a member that does not take its force, as a string that would be slack, and for forces of a structure with other members.
@@ -235,11 +282,11 @@ pub trait FrameAnalysis: Placed + Sized {
         with_axial_forces(self, forces)
     }
 
-    /// The structure under the axial forces of loads as it has them under these: forces move as the structure softens or stiffens. A few steps from those of
-    /// [`axial_forces`](FrameAnalysis::axial_forces) on.
+    /// The structure with its axial forces of second order under loads: the forces are computed again in the structure with the last forces, until they stay. They are added to those that its
+    /// members have.
     ///
-    /// Loads far beyond a critical one may settle, too: natural frequencies of the structure are refused then as [`Unstable`](crate::SearchError::Unstable), and its responses are
-    /// those of a motion that falls back.
+    /// A structure far beyond its critical load may settle, too. Then its natural frequencies are refused as [`Unstable`](crate::SearchError::Unstable), and its responses have the wrong sign:
+    /// ask for a frequency, or for [`critical_loads`](crate::search::critical_loads), before you trust a response.
     ///
     /// # Errors
     /// [`AxialForceError::Unsettled`] where the forces go on changing; else as [`axial_forces`](FrameAnalysis::axial_forces) and

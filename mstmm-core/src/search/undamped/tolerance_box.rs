@@ -15,6 +15,10 @@ use core::ops::RangeInclusive;
 /// Each frequency of a system whose parameters lie between those of both lies between their frequencies of the same number, and both ends are attained: two searches are exact
 /// for all corners of the box and for all that is between. Ranges are by number; modes may cross within them.
 ///
+/// Between two numbers is what lies between them, each parameter by itself. Two inertias are more than a number. That of a body is between two where its mass and its inertia about its
+/// mass centre are: an `inertia_about_input` J is between where `J - m c²` is. A tensor of inertia is between two where both differences have no negative moment about any axis: numbers
+/// between both are enough where the products of inertia are the same in both.
+///
 /// ```
 /// use mstmm_core::elements::Spring;
 /// use mstmm_core::frame::{Frame, Ground};
@@ -110,7 +114,7 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     }
 
     /// Whether no system of the box has a frequency in a range [rad/s]: the soft system has no more of them below its end than the stiff one has below its begin. Where it
-    /// is not free, there is a system in the box with a frequency there, or two of them that do not meet within.
+    /// is not free, a system of the box has a frequency there, or the ranges of two numbers overlap there.
     ///
     /// # Errors
     /// [`ToleranceError::Search`] as [`count_below`](NaturalFrequencies::count_below) of both systems, and for a range that is empty, reversed or not finite.
