@@ -88,6 +88,10 @@ fn what_is_no_box_says_why() {
     let refused = ToleranceBox::between(light, portal([0.0; 7])).map(|_| ()).unwrap_err();
     assert!(matches!(refused, ToleranceError::NotOrdered { parameter: "mass", .. }), "{refused}");
     assert!(refused.to_string().contains("`mass` of conn b"), "{refused}");
+    let mut shares = [0.0; 7];
+    shares[3] = 1.0;
+    let refused = ToleranceBox::between(portal(shares), portal([0.0; 7])).map(|_| ()).unwrap_err();
+    assert!(refused.to_string().contains("`axial_stiffness` of beam 2 is"), "{refused}");
 }
 
 system! {

@@ -180,6 +180,10 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> System for Framework<D, E>
         self.spot(place)
     }
 
+    fn spot_of_member(&self, member: usize) -> Spot {
+        Spot::Member(self.first_parts.partition_point(|part| *part <= member).saturating_sub(1))
+    }
+
     fn may_buckle(&self) -> bool {
         self.network.may_buckle()
     }
@@ -338,7 +342,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Prestressed for Framework<
 
     fn called(&self, member: usize) -> (Spot, &'static str) {
         let (_, kind) = self.network.called(member);
-        (Spot::Member(self.first_parts.partition_point(|part| *part <= member).saturating_sub(1)), kind)
+        (self.spot_of_member(member), kind)
     }
 }
 

@@ -66,6 +66,12 @@ pub trait System {
         Spot::Step(place)
     }
 
+    /// What errors call a member between points.
+    #[doc(hidden)]
+    fn spot_of_member(&self, member: usize) -> Spot {
+        Spot::Member(member)
+    }
+
     /// Estimates from which the searches take their first steps.
     #[doc(hidden)]
     fn frequency_estimates(&self) -> FrequencyEstimates;

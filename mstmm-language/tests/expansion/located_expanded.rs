@@ -351,6 +351,12 @@ const _: () = {
         fn spot_of(&self, place: ::core::primitive::usize) -> mstmm::__private::Spot {
             mstmm::__private::Placed::spot(self, place)
         }
+        fn spot_of_member(
+            &self,
+            member: ::core::primitive::usize,
+        ) -> mstmm::__private::Spot {
+            mstmm::__private::Spot::Named(SKETCH.members[member].name)
+        }
         fn frequency_estimates(&self) -> mstmm::__private::FrequencyEstimates {
             self.estimates
         }
@@ -411,8 +417,10 @@ const _: () = {
             &self,
             member: ::core::primitive::usize,
         ) -> (mstmm::__private::Spot, &'static ::core::primitive::str) {
-            let name = SKETCH.members[member].name;
-            (mstmm::__private::Spot::Named(name), name)
+            (
+                mstmm::__private::System::spot_of_member(self, member),
+                SKETCH.members[member].name,
+            )
         }
     }
     #[automatically_derived]

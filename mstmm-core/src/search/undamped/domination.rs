@@ -119,7 +119,7 @@ fn spot_of<Y: System + ?Sized>(system: &Y, part: &Part) -> Spot {
     system.spot_of(match part {
         Part::Tip(step, _) | Part::Element(step, ..) | Part::Connection(step, ..) | Part::Input(step, _) => *step,
         Part::Root(step, _) => *step,
-        Part::Member((member, ..), _) | Part::End(member, _) => return Spot::Member(*member),
+        Part::Member((member, ..), _) | Part::End(member, _) => return system.spot_of_member(*member),
         Part::Body(node, ..) => node.index,
     })
 }

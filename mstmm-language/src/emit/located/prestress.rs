@@ -42,8 +42,7 @@ pub(super) fn prestressed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream
                 &self,
                 member: ::core::primitive::usize,
             ) -> (#private::Spot, &'static ::core::primitive::str) {
-                let name = SKETCH.members[member].name;
-                (#private::Spot::Named(name), name)
+                (#private::System::spot_of_member(self, member), SKETCH.members[member].name)
             }
         }
     }

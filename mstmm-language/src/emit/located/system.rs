@@ -179,6 +179,10 @@ pub(super) fn system(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
                 #private::Placed::spot(self, place)
             }
 
+            fn spot_of_member(&self, member: ::core::primitive::usize) -> #private::Spot {
+                #private::Spot::Named(SKETCH.members[member].name)
+            }
+
             fn frequency_estimates(&self) -> #private::FrequencyEstimates {
                 self.estimates
             }
