@@ -58,7 +58,7 @@ impl<T: Real, const I: usize, const O: usize> StateMode<T, I, O> {
 /// let cantilever = frame.build()?;
 /// let roots = cantilever.frequencies(4)?;
 /// let (loads, entries) = ([tip.force_y()], [tip.displacement_y(), beam.input().moment()]);
-/// let space = cantilever.state_space::<4, 1, 2>(&roots, loads, entries)?.with_damping_ratio(0.02)?;
+/// let space = cantilever.state_space::<4, 1, 2>(&roots, loads, entries)?.with_damping_ratio(0.1)?;
 /// assert_eq!(space.states(), 8);
 ///
 /// // a step, sampled at 1 kHz, ends at the static deflection l³/(3 EI)
