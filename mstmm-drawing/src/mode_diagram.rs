@@ -95,12 +95,12 @@ impl ModeDiagram {
             return Err(DrawingError::Empty);
         }
         let hertz = roots.iter().map(|root| root.omega / TAU);
-        let last = BEYOND * hertz.clone().fold(0.0, f64::max);
+        let highest = hertz.clone().fold(0.0, f64::max);
         let at = |hertz: f64| [hertz, spectrum.acceleration(TAU * hertz, ratio)];
-        let curve: Vec<Vector> = (1..=POINTS).map(|k| at(last * k as f64 / POINTS as f64)).collect();
+        let curve: Vec<Vector> = (1..=POINTS).map(|k| at(BEYOND * highest * k as f64 / POINTS as f64)).collect();
         let most = curve.iter().map(|point| point[1]).fold(0.0, f64::max);
         let mut own = ModeDiagram::with(
-            [last / BEYOND, most],
+            [highest, most],
             ["frequency [Hz]", "spectral acceleration [m/s²]"],
             hertz.clone().chain(curve.iter().map(|point| point[1])),
         )?;

@@ -2,7 +2,6 @@
 
 use crate::error::FileError;
 use mstmm_core::DiscreteStateSpace;
-use std::fmt::Display;
 use std::io::Write;
 
 /// The language of a file of a state space.
@@ -125,19 +124,17 @@ fn nested(rows: &[Vec<f64>], [open, close]: [&str; 2], number: fn(f64) -> String
     format!("{open}{}{close}", rows.join(","))
 }
 
-fn c_header(Sizes { states, inputs, outputs, dt }: &Sizes, [e, g, after, c, d]: [&[Vec<f64>]; 5]) -> String {
-    let table = |name: &str, rows: &[Vec<f64>], size: [&dyn Display; 2]| {
-        let [count, width] = size;
-        format!("static const float mstmm_{name}[{count}][{width}] = {};\n", nested(rows, ["{", "}"], short_in_c))
-    };
+/// The matrices as constants in a language, given what a constant of a name is.
+fn tables(matrices: [&[Vec<f64>]; 5], table: impl Fn(&str, [usize; 2], &[Vec<f64>]) -> String) -> String {
+    let named = ["growth", "gain", "after", "output", "feed"].into_iter().zip(matrices);
+    named.map(|(name, rows)| table(name, [rows.len(), rows.first().map_or(0, Vec::len)], rows)).collect()
+}
+
+fn c_header(Sizes { states, inputs, outputs, dt }: &Sizes, matrices: [&[Vec<f64>]; 5]) -> String {
     let modes = states / 2;
-    let tables = [
-        table("growth", e, [states, &2]),
-        table("gain", g, [states, inputs]),
-        table("after", after, [states, inputs]),
-        table("output", c, [outputs, &modes]),
-        table("feed", d, [outputs, inputs]),
-    ];
+    let tables = tables(matrices, |name, [count, width], rows| {
+        format!("static const float mstmm_{name}[{count}][{width}] = {};\n", nested(rows, ["{", "}"], short_in_c))
+    });
     format!(
         "/* A state space of {modes} modes in steps of {dt:?} s: {inputs} inputs, {outputs} outputs. */\n\
          #ifndef MSTMM_STATE_SPACE_H\n#define MSTMM_STATE_SPACE_H\n\
@@ -156,23 +153,15 @@ fn c_header(Sizes { states, inputs, outputs, dt }: &Sizes, [e, g, after, c, d]: 
          \x20   float b = mstmm_growth[k + 1][0] * x[k] + mstmm_growth[k + 1][1] * x[k + 1];\n\
          \x20   for (int i = 0; i < MSTMM_INPUTS; i++) {{\n      a += mstmm_gain[k][i] * u[i];\n      b += mstmm_gain[k + 1][i] * u[i];\n    }}\n\
          \x20   x[k] = a;\n    x[k + 1] = b;\n  }}\n}}\n#endif\n",
-        tables.concat()
+        tables
     )
 }
 
-fn rust(Sizes { states, inputs, outputs, dt }: &Sizes, [e, g, after, c, d]: [&[Vec<f64>]; 5]) -> String {
-    let table = |name: &str, rows: &[Vec<f64>], size: [&dyn Display; 2]| {
-        let [count, width] = size;
-        format!("const {name}: [[f32; {width}]; {count}] = {};\n", nested(rows, ["[", "]"], short))
-    };
+fn rust(Sizes { states, inputs, outputs, dt }: &Sizes, matrices: [&[Vec<f64>]; 5]) -> String {
     let modes = states / 2;
-    let tables = [
-        table("GROWTH", e, [states, &2]),
-        table("GAIN", g, [states, inputs]),
-        table("AFTER", after, [states, inputs]),
-        table("OUTPUT", c, [outputs, &modes]),
-        table("FEED", d, [outputs, inputs]),
-    ];
+    let tables = tables(matrices, |name, [count, width], rows| {
+        format!("const {}: [[f32; {width}]; {count}] = {};\n", name.to_uppercase(), nested(rows, ["[", "]"], short))
+    });
     format!(
         "//! A state space of {modes} modes in steps of {dt:?} s: {inputs} inputs, {outputs} outputs.\n\n{}\n\
          /// The states at rest under a first sample.\n\
@@ -188,6 +177,6 @@ fn rust(Sizes { states, inputs, outputs, dt }: &Sizes, [e, g, after, c, d]: [&[V
          \x20   for (k, state) in states.iter_mut().enumerate() {{\n\
          \x20       *state = dot(&GROWTH[k], &before[k / 2 * 2..]) + dot(&GAIN[k], inputs);\n    }}\n\
          \x20   outputs\n}}\n",
-        tables.concat()
+        tables
     )
 }

@@ -5,7 +5,7 @@ use crate::answer::modal::moving_mass::moving_mass;
 use crate::answer::modal::of_tree::{OfTree, for_each_shape};
 use crate::answer::modal::participation::Participation;
 use crate::answer::modal::response::ModalResponse;
-use crate::answer::modal::state_space::ModalStateSpace;
+use crate::answer::modal::state_space::{ModalStateSpace, each_of};
 use crate::answer::modal::truncation::{Truncation, check_list};
 use crate::answer::mode_shape::{ModeShape, ShapeList, simple};
 use crate::answer::repeated_root::all_shapes;
@@ -169,30 +169,18 @@ pub trait ModalAnalysis: System {
         Self: ExtendedTree<<Self as System>::Parameter> + Sized,
     {
         const { assert!(!Self::SPINS, "a state space of a rotor needs the modes of both whirls: take `frequency_response`") };
-        let zero = <Self as System>::Parameter::from_f64(0.0);
-        let mut feed = [[zero; I]; O];
-        for (row, entry) in feed.iter_mut().zip(entries) {
-            for (own, load) in row.iter_mut().zip(loads) {
-                *own = self.modal_response::<MODES, NaturalFrequency<_>>(roots.clone(), load, entry)?.fed()?;
-            }
-        }
-        let mut space = ModalStateSpace::of_feed(feed);
-        for root in roots {
-            space.begin_root();
+        let source = |input: usize, output: usize| OfTree::new(self, loads[input], entries[output]);
+        ModalStateSpace::new(roots, source, |root, keep| {
             let each = |shape: &ModeShape<'_, Self, <Self as System>::Parameter>| {
-                let (mut inputs, mut outputs) = ([zero; I], [zero; O]);
-                for (input, load) in inputs.iter_mut().zip(loads) {
-                    *input = shape.work(load)?;
-                }
-                for (output, entry) in outputs.iter_mut().zip(entries) {
-                    let Place { step, beyond, coordinate } = Place::of_entry(self, entry)?;
-                    *output = shape.at(step, beyond).entry(coordinate);
-                }
-                space.push(root.omega, inputs, outputs).map(|()| zero)
+                let inputs = each_of(loads, |load| shape.work(load))?;
+                let outputs = each_of(entries, |entry| {
+                    Place::of_entry(self, entry)
+                        .map(|Place { step, beyond, coordinate }| shape.at(step, beyond).entry(coordinate))
+                })?;
+                keep(inputs, outputs).map(|()| Scalar::from_f64(0.0))
             };
-            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))?;
-        }
-        Ok(space)
+            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))
+        })
     }
 
     /// How much of the mass the modes of some roots take with them, as [`Participation`] says: up to `N` shapes. Deflections have one direction, y.

@@ -340,9 +340,8 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Prestressed for Framework<
         self.network.describe();
     }
 
-    fn called(&self, member: usize) -> (Spot, &'static str) {
-        let (_, kind) = self.network.called(member);
-        (self.spot_of_member(member), kind)
+    fn name_of_member(&self, member: usize) -> &'static str {
+        self.network.name_of_member(member)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::search::closed_range::ClosedRange;
 use crate::search::critical_loads::{CriticalLoad, CriticalLoads, critical_loads_of};
 use crate::search::critical_speeds::{CriticalSpeed, CriticalSpeeds, critical_speeds_of};
 use crate::search::rotor::{Rotor, Spinning, Whirl};
-use crate::search::undamped::tolerance_box::ToleranceBox;
+use crate::search::undamped::tolerance_box::{ToleranceBox, collected, of_number};
 use core::ops::RangeInclusive;
 
 /// The range of a critical load of one number over a box.
@@ -82,7 +82,7 @@ impl<Y: Undamped> ToleranceBox<Y> {
         let soft: CriticalLoads<_, CAP> = critical_loads_of(factors.clone(), |factor| under(0, factor))?;
         let stiff: CriticalLoads<_, CAP> = critical_loads_of(factors, |factor| under(1, factor))?;
         let of = |loads: &[CriticalLoad<Y::Parameter>], number: u64| {
-            loads.iter().find(|load| (load.index..load.index + load.multiplicity).contains(&number)).copied()
+            of_number(loads, number, |load| [load.index, load.multiplicity])
         };
         let range = |number: u64| Some(CriticalLoadRange { lowest: of(&soft, number)?, highest: of(&stiff, number)? });
         Ok(collected(soft.first().map_or(1, |load| load.index), range))
@@ -110,9 +110,8 @@ where
     };
     let soft: CriticalSpeeds<CAP> = critical_speeds_of(speeds.clone(), order, |speed| at(0, speed))?;
     let stiff: CriticalSpeeds<CAP> = critical_speeds_of(speeds, order, |speed| at(1, speed))?;
-    let of = |speeds: &[CriticalSpeed], number: u64| {
-        speeds.iter().find(|speed| (speed.index..speed.index + speed.multiplicity).contains(&number)).copied()
-    };
+    let of =
+        |speeds: &[CriticalSpeed], number: u64| of_number(speeds, number, |speed| [speed.index, speed.multiplicity]);
     let range = |number: u64| Some(CriticalSpeedRange { lowest: of(&soft, number)?, highest: of(&stiff, number)? });
     Ok(collected(soft.first().map_or(1, |speed| speed.index), range))
 }
@@ -121,11 +120,4 @@ where
 fn one_of<Y: System>([soft, stiff]: [Y; 2], end: usize) -> Result<Y, ToleranceError> {
     let (soft, stiff) = ToleranceBox::between(soft, stiff)?.into_ends();
     Ok(if end == 0 { soft } else { stiff })
-}
-
-/// The ranges of numbers from a first one on, as many as there is room for.
-fn collected<R: Copy + Default, const CAP: usize>(first: u64, range: impl Fn(u64) -> Option<R>) -> List<R, CAP> {
-    let mut ranges = List::new();
-    (first..first + CAP as u64).filter_map(range).try_for_each(|range| ranges.push(range)).ok();
-    ranges
 }

@@ -413,14 +413,11 @@ const _: () = {
             self.estimates.finish();
             self.skeleton.arrange(&ORDER.order());
         }
-        fn called(
+        fn name_of_member(
             &self,
             member: ::core::primitive::usize,
-        ) -> (mstmm::__private::Spot, &'static ::core::primitive::str) {
-            (
-                mstmm::__private::System::spot_of_member(self, member),
-                SKETCH.members[member].name,
-            )
+        ) -> &'static ::core::primitive::str {
+            SKETCH.members[member].name
         }
     }
     #[automatically_derived]

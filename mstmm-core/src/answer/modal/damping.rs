@@ -13,6 +13,34 @@ const CRITICAL: f64 = 1e-8;
 /// A response with damping.
 type Damped<T, const N: usize> = ModalResponse<T, N, ComplexEigenvalue>;
 
+/// A damping ratio with which a mode vibrates.
+///
+/// # Errors
+/// [`MotionError::DampingRatio`] for one that is negative, or 1 and more.
+pub(super) fn checked<T: Real>(ratio: T) -> Result<T, MotionError> {
+    let vibrates = ratio >= T::zero() && ratio < T::one();
+    if vibrates { Ok(ratio) } else { Err(MotionError::DampingRatio { ratio: ratio.to_f64() }) }
+}
+
+/// Checks that a list of ratios has one for each root.
+///
+/// # Errors
+/// [`MotionError::DampingRatios`] for another number of them.
+pub(super) fn check_count<T>(ratios: &[T], roots: usize) -> Result<(), MotionError> {
+    let given = ratios.len();
+    if given == roots { Ok(()) } else { Err(MotionError::DampingRatios { given, needed: roots }) }
+}
+
+/// `ω_d/ω` at a damping ratio.
+fn slowed_by<T: Real>(ratio: T) -> T {
+    ((T::one() - ratio) * (T::one() + ratio)).sqrt()
+}
+
+/// The eigenvalue `-ζω + iω_d` of a mode with a damping ratio.
+pub(super) fn damped_by<T: Real>(omega: T, ratio: T) -> Complex<T> {
+    Complex::new(-(ratio * omega), slowed_by(ratio) * omega)
+}
+
 impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     /// The response with a damping ratio ζ in each mode: `e^{-ζωt} sin(ω_d t)/ω_d` in place of `sin(ωt)/ω`, with
     /// `ω_d = ω sqrt(1 - ζ²)`. Rigid bodies move as before, and modes that are not in the list still follow at once.
@@ -33,9 +61,7 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
     /// # Errors
     /// [`MotionError::DampingRatios`] for another number of ratios than roots; else as [`with_damping_ratio`](ModalResponse::with_damping_ratio).
     pub fn with_damping_ratios(&self, ratios: &[T]) -> Result<Damped<T, N>, MotionError> {
-        if ratios.len() != self.roots {
-            return Err(MotionError::DampingRatios { given: ratios.len(), needed: self.roots });
-        }
+        check_count(ratios, self.roots)?;
         self.with_ratios(|root, _| ratios[root])
     }
 
@@ -51,13 +77,9 @@ impl<T: Real, const N: usize> ModalResponse<T, N, RealFrequency> {
         let mut damped = self.without_terms()?;
         for term in &self.terms {
             let omega = term.lambda.im;
-            let ratio = ratio(term.root, omega);
-            if !(ratio >= T::zero() && ratio < T::one()) {
-                return Err(MotionError::DampingRatio { ratio: ratio.to_f64() });
-            }
-            let slowed = ((T::one() - ratio) * (T::one() + ratio)).sqrt();
-            let lambda = Complex::new(-(ratio * omega), slowed * omega);
-            damped.push(Term { lambda, residue: term.residue / slowed, root: term.root }.moved_with(self, omega))?;
+            let ratio = checked(ratio(term.root, omega))?;
+            let (lambda, residue) = (damped_by(omega, ratio), term.residue / slowed_by(ratio));
+            damped.push(Term { lambda, residue, root: term.root }.moved_with(self, omega))?;
         }
         Ok(damped)
     }

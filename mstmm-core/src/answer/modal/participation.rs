@@ -41,7 +41,7 @@ pub struct Participation<T, const N: usize> {
     total: T,
 }
 
-/// Collects the factors of all shapes of some roots, given what hands on those of a root.
+/// Keeps the factor of each shape of some roots, given what hands on the factors of the shapes of one root.
 pub(crate) fn collect<'r, T, R: 'r>(
     roots: impl IntoIterator<Item = &'r R>,
     for_each_factor: impl Fn(&R, &mut dyn FnMut(T) -> Result<(), MotionError>) -> Result<(), MotionError>,
@@ -54,7 +54,7 @@ pub(crate) fn collect<'r, T, R: 'r>(
 }
 
 impl<T: Real, const N: usize> Participation<T, N> {
-    /// The factors of all shapes of some roots, given what hands on those of a root.
+    /// The factors of all shapes of some roots, given what hands on the factors of the shapes of one root.
     pub(crate) fn new<'r, R: 'r>(
         total: T,
         roots: impl IntoIterator<Item = &'r R>,

@@ -69,6 +69,22 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     where
         R: Root<T> + 'r,
     {
+        ModalResponse::of_products(source, roots, |root, _, add| source.for_each_product::<N>(root, add))
+    }
+
+    /// Superposes the shapes of all roots, given what hands on `φ φ` of each shape of a root at a place of the list.
+    pub(crate) fn of_products<'r, R>(
+        source: &impl Superposed<T, R>,
+        roots: impl IntoIterator<Item = &'r R>,
+        for_each_product: impl Fn(
+            &R,
+            usize,
+            &mut dyn FnMut(R::Frequency) -> Result<(), MotionError>,
+        ) -> Result<(), MotionError>,
+    ) -> Result<Self, MotionError>
+    where
+        R: Root<T> + 'r,
+    {
         if source.has_loss() {
             return Err(MotionError::LossFactor);
         }
@@ -87,21 +103,15 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
                 at_rest = Some(root);
                 continue;
             }
-            response.add(source, root)?;
+            let (lambda, place) = (Complex::new(-omega.im, omega.re), response.roots - 1);
+            for_each_product(root, place, &mut |product: R::Frequency| {
+                let product = product.to_complex();
+                let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
+                response.push(Term { lambda, residue, root: place })
+            })?;
         }
         response.complete(source, at_rest)?;
         Ok(response)
-    }
-
-    /// Adds the contributions of a root other than zero.
-    fn add<R: Root<T>>(&mut self, source: &impl Superposed<T, R>, root: &R) -> Result<(), MotionError> {
-        let omega = root.frequency().omega().to_complex();
-        let (lambda, place) = (Complex::new(-omega.im, omega.re), self.roots - 1);
-        source.for_each_product::<N>(root, &mut |product: R::Frequency| {
-            let product = product.to_complex();
-            let residue = if lambda.im.is_zero() { product / (lambda + lambda) } else { product / lambda };
-            self.push(Term { lambda, residue, root: place })
-        })
     }
 
     pub(super) fn push(&mut self, term: Term<T>) -> Result<(), MotionError> {
@@ -144,14 +154,6 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             }
         }
         Ok(())
-    }
-
-    /// What follows a load at once in a state space.
-    ///
-    /// # Errors
-    /// [`MotionError::NotModal`] for the motion of a support, of which parts follow the rate.
-    pub(crate) fn fed(&self) -> Result<T, MotionError> {
-        if self.facts.is_motion { Err(MotionError::NotModal) } else { Ok(self.residual) }
     }
 
     /// The acceleration of what moves off at once, under a load of 1.

@@ -1,7 +1,10 @@
 //! Modes as a state space, for controllers and simulations.
 
+use crate::answer::modal::damping::{check_count, checked, damped_by};
+use crate::answer::modal::response::{ModalResponse, Superposed};
 use crate::model::MotionError;
-use crate::number::{List, Real};
+use crate::number::{List, Oscillation, Real, RealFrequency};
+use crate::search::NaturalFrequency;
 use num_complex::Complex;
 
 /// A mode: its frequency, its damping ratio, what each load works on it and what each entry is of it.
@@ -25,8 +28,7 @@ impl<T: Real, const I: usize, const O: usize> Default for StateMode<T, I, O> {
 impl<T: Real, const I: usize, const O: usize> StateMode<T, I, O> {
     /// `λ = -ζω + iω_d`.
     pub(crate) fn lambda(&self) -> Complex<T> {
-        let slowed = ((T::one() - self.ratio) * (T::one() + self.ratio)).sqrt();
-        Complex::new(-(self.ratio * self.omega), slowed * self.omega)
+        damped_by(self.omega, self.ratio)
     }
 
     /// What an input of 1 adds to the rate of both states.
@@ -75,20 +77,45 @@ pub struct ModalStateSpace<T, const MODES: usize, const I: usize, const O: usize
 }
 
 impl<T: Real, const MODES: usize, const I: usize, const O: usize> ModalStateSpace<T, MODES, I, O> {
-    /// The space of residual compliances, without modes yet.
-    pub(crate) fn of_feed(feed: [[T; I]; O]) -> Self {
-        ModalStateSpace { modes: List::new(), feed, roots: 0 }
-    }
-
-    /// Begins with a root, whose shapes follow.
-    pub(crate) fn begin_root(&mut self) {
-        self.roots += 1;
-    }
-
-    /// Adds a shape of the last root.
-    pub(crate) fn push(&mut self, omega: T, inputs: [T; I], outputs: [T; O]) -> Result<(), MotionError> {
-        let mode = StateMode { omega, ratio: T::zero(), root: self.roots.saturating_sub(1), inputs, outputs };
-        self.modes.push(mode).map_err(|_| MotionError::Capacity { capacity: MODES })
+    /// The space of some roots, given the response of an input and an output, and what hands on the works of all inputs on each shape of a root, and all outputs of it.
+    ///
+    /// # Errors
+    /// [`MotionError::NotModal`] for the motion of a support, of which parts follow the rate; [`MotionError::Capacity`] for more shapes than `MODES`.
+    pub(crate) fn new<'r, S: Superposed<T, NaturalFrequency<T>>>(
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<T>> + Clone,
+        source: impl Fn(usize, usize) -> Result<S, MotionError>,
+        for_each_shape: impl Fn(
+            &NaturalFrequency<T>,
+            &mut dyn FnMut([T; I], [T; O]) -> Result<(), MotionError>,
+        ) -> Result<(), MotionError>,
+    ) -> Result<Self, MotionError>
+    where
+        T: Oscillation<T> + 'r,
+    {
+        let mut space = ModalStateSpace { modes: List::new(), feed: [[T::zero(); I]; O], roots: 0 };
+        for root in roots.clone() {
+            for_each_shape(root, &mut |inputs, outputs| {
+                let mode = StateMode { omega: root.omega, ratio: T::zero(), root: space.roots, inputs, outputs };
+                space.modes.push(mode).map_err(|_| MotionError::Capacity { capacity: MODES })
+            })?;
+            space.roots += 1;
+        }
+        for output in 0..O {
+            for input in 0..I {
+                let source = source(input, output)?;
+                if source.facts().is_motion {
+                    return Err(MotionError::NotModal);
+                }
+                let products =
+                    |_: &NaturalFrequency<T>, place: usize, add: &mut dyn FnMut(T) -> Result<(), MotionError>| {
+                        let mut own = space.modes.iter().filter(|mode| mode.root == place);
+                        own.try_for_each(|mode| add(mode.inputs[input] * mode.outputs[output]))
+                    };
+                let response = ModalResponse::<T, MODES, RealFrequency>::of_products(&source, roots.clone(), products)?;
+                space.feed[output][input] = response.residual;
+            }
+        }
+        Ok(space)
     }
 
     /// The number of states.
@@ -109,9 +136,7 @@ impl<T: Real, const MODES: usize, const I: usize, const O: usize> ModalStateSpac
     /// # Errors
     /// [`MotionError::DampingRatios`] for another number of ratios than roots; else as [`with_damping_ratio`](ModalStateSpace::with_damping_ratio).
     pub fn with_damping_ratios(self, ratios: &[T]) -> Result<Self, MotionError> {
-        if ratios.len() != self.roots {
-            return Err(MotionError::DampingRatios { given: ratios.len(), needed: self.roots });
-        }
+        check_count(ratios, self.roots)?;
         self.with_ratios(|root, _| ratios[root])
     }
 
@@ -125,11 +150,7 @@ impl<T: Real, const MODES: usize, const I: usize, const O: usize> ModalStateSpac
 
     fn with_ratios(mut self, mut ratio: impl FnMut(usize, T) -> T) -> Result<Self, MotionError> {
         for mode in self.modes.as_mut_slice().iter_mut().filter(|mode| !mode.omega.is_zero()) {
-            let own = ratio(mode.root, mode.omega);
-            if !(own >= T::zero() && own < T::one()) {
-                return Err(MotionError::DampingRatio { ratio: own.to_f64() });
-            }
-            mode.ratio = own;
+            mode.ratio = checked(ratio(mode.root, mode.omega))?;
         }
         Ok(self)
     }
@@ -201,4 +222,16 @@ pub struct StateMatrices<T> {
     pub c: std::vec::Vec<std::vec::Vec<T>>,
     /// Of the inputs, on the outputs.
     pub d: std::vec::Vec<std::vec::Vec<T>>,
+}
+
+/// A number of each value, or the first error.
+pub(crate) fn each_of<V: Copy, T: Real, const N: usize>(
+    values: [V; N],
+    number: impl Fn(V) -> Result<T, MotionError>,
+) -> Result<[T; N], MotionError> {
+    let mut numbers = [T::zero(); N];
+    for (own, value) in numbers.iter_mut().zip(values) {
+        *own = number(value)?;
+    }
+    Ok(numbers)
 }

@@ -4,7 +4,7 @@
 //! `∫ m e·(r × u) + ρI e·θ`: its factor of participation. That all modes together have is `∫ m (e × r)² + ρI`, along the directions in which each part moves.
 
 use crate::answer::network::shape::PlaneShape;
-use crate::answer::network::spread_load::mass_per_length;
+use crate::answer::network::spread_load::{check_paths, is_straight, mass_per_length};
 use crate::answer::network::states::PlaneStates;
 use crate::element::{Inside, MemberNumbers};
 use crate::model::{Direction, MemberPlane, MotionError, PlaneLoad};
@@ -14,9 +14,8 @@ use crate::pass::characteristic::System;
 use crate::pass::network::vector::{ROTATIONS, Six, cross, difference, dot, six};
 use crate::pass::network::{MovingNetwork, Placed, PlacedMotions, PlaneFrequency, mass_of_bodies};
 use mstmm_plan::Freedoms;
-use num_traits::Zero;
 
-/// The part of an arm that is its rounding.
+/// The part of an arm that is its rounding: of three products and two sums for each of its parts, twice as much.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// An axis through a place.
@@ -52,15 +51,13 @@ impl<T: Real> About<T> {
     /// The arms of a part of a member.
     ///
     /// # Errors
-    /// [`MotionError::NoUniformLoad`] for what has directions of its own, [`MotionError::NoSuchFreedom`] for a part that does not move as its ground would.
+    /// [`MotionError::NoUniformLoad`] for a member in a path, or with two x axes; [`MotionError::NoSuchFreedom`] for a member without the freedom in which the rotation moves it.
     fn arms<Y: Placed<Parameter = T>>(&self, system: &Y, member: usize) -> Result<Arms<T>, MotionError> {
         let placement = system.placement(member);
-        let [axes, other] = [0, 1].map(|end| placement.axes::<T>(end));
-        let is_straight = axes.along == other.along
-            && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.has_no_direction());
-        if !is_straight {
+        if !is_straight(system, member) {
             return Err(MotionError::NoUniformLoad);
         }
+        let axes = placement.axes::<T>(0);
         let from = difference(self.place, placement.place_of(0));
         let mut arms = Arms {
             along: dot(self.axis, cross(from, axes.along)),
@@ -97,15 +94,11 @@ impl<T: Real> About<T> {
         if !self.freedom.is(Freedoms::RZ) && system.is_flat() {
             return Err(MotionError::NoSuchFreedom { freedom: self.freedom });
         }
-        let has_none = |node: usize| {
-            let (body, motions) = system.node(node);
-            motions.has_no_direction() && body.has_body() && !body.mass.is_zero()
-        };
-        if (0..system.sizes()[0]).any(has_none) { Err(MotionError::NoUniformLoad) } else { Ok(()) }
+        check_paths(system)
     }
 
     /// The mass per length of a part of a member, and its moment of inertia per length.
-    fn inertias<Y, S>(system: &Y, member: usize) -> Result<[T; 2], MotionError>
+    fn inertias<Y, S>(system: &Y, member: usize) -> Result<[S; 2], MotionError>
     where
         S: Oscillation<T>,
         Y: PlacedMotions<S> + System<Parameter = T>,
@@ -117,14 +110,9 @@ impl<T: Real> About<T> {
             _ => [0.0; 2],
         };
         let is_twist = system.placement(member).plane() == MemberPlane::About;
-        let mass = if is_twist { T::zero() } else { real::<T, S>(mass_per_length(system, member)) };
-        Ok([mass, T::of_words(moment)])
+        let mass = if is_twist { S::zero() } else { mass_per_length(system, member) };
+        Ok([mass, S::from_parameter(T::of_words(moment))])
     }
-}
-
-/// The real number of one that is real.
-fn real<T: Real, S: Oscillation<T>>(number: S) -> T {
-    T::from_f64(number.size())
 }
 
 /// The factor of participation of a shape along a direction, or about an axis.
@@ -190,7 +178,7 @@ where
                 let [along, across, turn] = self.motion_at(member, distance.to_f64()).displacements;
                 let lever = arms.across + arms.across_per_length * distance;
                 let moved = along * number(arms.along) + across * number(lever);
-                [moved * number(mass) + turn * number(moment * arms.turn)]
+                [moved * mass + turn * (moment * number(arms.turn))]
             });
             sum += own;
         }

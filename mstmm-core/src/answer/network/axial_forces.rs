@@ -4,6 +4,7 @@
 //! the forces under loads are added. What a spring, a rod, a rigid link or a slider would add has no parameter: a structure in which they carry axial forces is refused.
 
 use crate::answer::network::carried::Carried;
+use crate::answer::network::spread_load::is_in_path;
 use crate::answer::network::under_load::UnderLoad;
 use crate::model::{
     AxialForceError, InvalidParameter, MemberLabel, MotionError, ParameterError, PlaneLoad, Requirement,
@@ -15,16 +16,18 @@ use core::ops::Mul;
 use num_complex::Complex;
 use num_traits::Zero;
 
-/// Change of forces, in roundings of the largest one, that is none; and as a part of that below which a change that does not fall is rounding.
+/// Roundings of the largest force below which forces do not change: two of each of some tens of products and sums of a sway.
 const ROUNDING: f64 = 64.0;
+
+/// Part of the largest force below which a change that does not fall any more is rounding: a structure with 1e-7 left of its stiffness amplifies it so far.
 const SETTLED: f64 = 1e-9;
 
-/// Steps from forces to the forces in the structure under them. Each leaves a part of the change before.
+/// Steps from forces to those in the structure under them. A step that leaves three quarters of a change needs as many for eight digits.
 const STEPS: usize = 64;
 
 /// The axial forces \[N\] of the members of a structure, tension positive; of a load along a member the mean of both ends.
 ///
-/// They are proportional to their loads: `&forces * 2.0` are those of twice the loads.
+/// Forces are proportional to their loads: `&forces * 2.0` are the forces of twice the loads.
 #[derive(Debug)]
 pub struct AxialForces<'a, Y: Placed> {
     system: &'a Y,
@@ -90,7 +93,7 @@ impl<Y: Placed> AxialForces<'_, Y> {
     }
 }
 
-/// The axial forces under loads, each with its value.
+/// The axial forces under loads, each load with its value.
 pub(super) fn axial_forces<'a, Y, T>(
     system: &'a Y,
     loads: &[(PlaneLoad<Y::Model>, T)],
@@ -114,15 +117,12 @@ where
     carried.check_levers()?;
     carried.check_slides()?;
     let mut forces = system.per_member(T::zero());
-    for (member, own) in forces.as_mut().iter_mut().enumerate().take(system.sizes()[1]) {
-        // of a member in space the first part stretches
-        *own = carried.axial(member);
-    }
-    if !forces.as_ref().iter().all(|force| force.size().is_finite()) {
-        return Err(MotionError::NotFinite { frequency: 0.0 }.into());
-    }
     for first in 0..system.sizes()[1] {
-        let force = forces.as_ref()[first];
+        // of a member in space the first part stretches, and all parts bear its force
+        let force = carried.axial(first);
+        if !force.size().is_finite() {
+            return Err(MotionError::NotFinite { frequency: 0.0 }.into());
+        }
         system.parts_from(first).for_each(|part| forces.as_mut()[part] = force);
     }
     let forces = AxialForces { system, forces };
@@ -130,14 +130,7 @@ where
     Ok(forces)
 }
 
-/// Whether a member stands in a path of one motion, which has no axial force.
-fn is_in_path<Y: Placed>(system: &Y, member: usize) -> bool {
-    let placement = system.placement(member);
-    [0, 1].iter().any(|end| system.node(placement.node_of(*end)).1.has_no_direction())
-}
-
-/// Whether a member needs a parameter for an axial force: what stands at one place has no length, and what has directions of its own does not turn. The force of a path has the
-/// direction of its places, which turns.
+/// Whether a member needs a parameter for an axial force. A joint has no length, and a spring in a direction of its own does not turn with its ends. A path turns with its places.
 fn needs_parameter<Y: Placed>(system: &Y, member: usize) -> bool {
     let placement = system.placement(member);
     let turns = [0, 1].iter().any(|end| placement.along(*end).is_none()) && !placement.own_length().is_zero();
@@ -156,14 +149,14 @@ where
         let bears =
             !is_in_path(forces.system, member) && trial.add_axial_force(member, force.words()) != Some(Ok(false));
         if needs_parameter(forces.system, member) && !bears {
-            let (member, name) = forces.system.called(member);
-            return Err(AxialForceError::NoAxialForce { member, name, force: force.to_f64() });
+            let (at, name) = (forces.system.spot_of_member(member), forces.system.name_of_member(member));
+            return Err(AxialForceError::NoAxialForce { member: at, name, force: force.to_f64() });
         }
     }
     Ok(())
 }
 
-/// The structure under axial forces besides those that its members have.
+/// The structure whose members have further axial forces.
 pub(super) fn with_axial_forces<Y: Prestressed>(system: &Y, forces: &AxialForces<'_, Y>) -> Result<Y, ParameterError> {
     let mut own = system.clone();
     let are_own = forces.system.sizes() == system.sizes();
@@ -176,13 +169,13 @@ pub(super) fn with_axial_forces<Y: Prestressed>(system: &Y, forces: &AxialForces
         let bears = own.add_axial_force(member, force.words()).filter(|_| are_own).unwrap_or(Err(of_other));
         let is_borne =
             bears.and_then(|bears| if bears || !needs_parameter(system, member) { Ok(()) } else { Err(of_other) });
-        is_borne.map_err(|error| error.of(system.called(member).1))?;
+        is_borne.map_err(|error| error.of(system.name_of_member(member)))?;
     }
     own.describe();
     Ok(own)
 }
 
-/// The structure under the axial forces that loads have in it, as it is under these.
+/// The structure with its axial forces of second order under loads.
 pub(super) fn settled_under<Y, T>(system: &Y, loads: &[(PlaneLoad<Y::Model>, T)]) -> Result<Y, AxialForceError>
 where
     T: Real,

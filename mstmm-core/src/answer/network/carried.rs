@@ -16,11 +16,12 @@ use crate::pass::network::{PerMember, PerNode, Placed, Prestressed};
 use mstmm_plan::Freedoms;
 use num_complex::Complex;
 
-/// Roundings of a sum below which it is none.
+/// Roundings of its terms below which a sum over loads, or over the forces on a node, is none: a force has some of itself, and some tens of forces meet.
 const ROUNDING: f64 = 64.0;
 
-/// Rounding in extended precision of forces at rest, in units of the largest one: eleven digits for slender members beside stiff ones.
-const NOISE: f64 = 68_719_476_736.0;
+/// Rounding of forces at rest, in roundings of the largest force in extended precision. Forces of slender members are differences of displacements times stiffnesses `2^36 = EA l²/EI` times as
+/// large: a slenderness of 260,000, or one of 1,000 beside a stiffness 70,000 times as large.
+const NOISE: f64 = (1_u64 << 36) as f64;
 
 /// The rotations whose products an entry of S belongs to: xx, yy, zz, xy, yz, zx.
 const ENTRIES: [[Freedoms; 2]; 6] = [
@@ -69,7 +70,7 @@ impl<'a, T: Real, Y: Placed + System<Parameter = T>> Carried<'a, Y> {
         Carried { system, levers, parts, noise: 0.0 }
     }
 
-    /// Adds the forces of a motion at rest, so many times.
+    /// Adds the forces of the motion under a load of 1, times the value of the load.
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] for forces out of range.
@@ -131,16 +132,11 @@ impl<'a, T: Real, Y: Placed + System<Parameter = T>> Carried<'a, Y> {
         *arms += size_of(&from);
     }
 
-    /// Whether a force is more than rounding, given the sum of its sizes under all loads.
-    fn counts(&self, force: f64, sizes: f64) -> bool {
-        force > self.noise && force > ROUNDING * T::EPSILON * sizes
-    }
-
     /// The axial force of a part of a member; zero where it is rounding.
     pub(super) fn axial(&self, member: usize) -> T {
         let Part { axial, size, .. } = self.parts.as_ref()[member];
-        let is_none = axial.size().is_finite() && !self.counts(axial.size(), size);
-        if is_none { T::zero() } else { axial }
+        let is_rounding = axial.size() <= self.noise.max(ROUNDING * T::EPSILON * size);
+        if is_rounding && axial.size().is_finite() { T::zero() } else { axial }
     }
 
     /// Checks that no forces work on rotations of what is rigid.
@@ -173,7 +169,7 @@ impl<'a, T: Real, Y: Placed + System<Parameter = T>> Carried<'a, Y> {
             for end in 0..2 {
                 let force = self.across_slides(first, end);
                 if force > self.noise {
-                    let (member, name) = self.system.called(first);
+                    let (member, name) = (self.system.spot_of_member(first), self.system.name_of_member(first));
                     return Err(AxialForceError::Slides { member, name, force });
                 }
             }
@@ -190,11 +186,9 @@ impl<'a, T: Real, Y: Placed + System<Parameter = T>> Carried<'a, Y> {
             return 0.0;
         }
         let is_in_plane = placement.plane() == MemberPlane::Structure;
-        let (mut tied, mut force, mut slides) = (0, [T::zero(); 3], false);
-        let mut across = 0.0_f64;
-        for part in self.system.parts_from(first) {
-            force = sum(force, self.parts.as_ref()[part].ends[end]);
-        }
+        let of_parts = self.system.parts_from(first).map(|part| self.parts.as_ref()[part].ends[end]);
+        let force = of_parts.fold([T::zero(); 3], sum);
+        let (mut tied, mut slides, mut across) = (0, false, 0.0_f64);
         for part in self.system.parts_from(first) {
             let placement = self.system.placement(part);
             let of_ends = match self.system.numbers()[part].parted().0 {

@@ -4,7 +4,7 @@ use crate::answer::modal::participation::Participation;
 #[cfg(feature = "std")]
 use crate::answer::modal::participation::{ParticipationFactor, collect};
 use crate::answer::modal::response::ModalResponse;
-use crate::answer::modal::state_space::ModalStateSpace;
+use crate::answer::modal::state_space::{ModalStateSpace, each_of};
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
 use crate::answer::network::about::factor;
 use crate::answer::network::axial_forces::{AxialForces, axial_forces, settled_under, with_axial_forces};
@@ -143,29 +143,15 @@ pub trait FrameAnalysis: Placed + Sized {
         Self: MovingNetwork<<Self as System>::Parameter>,
     {
         const { assert!(!Self::SPINS, "a state space of a rotor needs the modes of both whirls: take `frequency_response`") };
-        let zero = <Self as System>::Parameter::from_f64(0.0);
-        let mut feed = [[zero; I]; O];
-        for (row, entry) in feed.iter_mut().zip(entries) {
-            for (own, load) in row.iter_mut().zip(loads) {
-                *own = self.modal_response::<MODES, NaturalFrequency<_>>(roots.clone(), load, entry)?.fed()?;
-            }
-        }
-        let mut space = ModalStateSpace::of_feed(feed);
-        for root in roots {
-            space.begin_root();
+        let source = |input: usize, output: usize| OfFrame::new(self, loads[input], entries[output]);
+        ModalStateSpace::new(roots, source, |root, keep| {
             let each = |shape: &PlaneShape<'_, Self, <Self as System>::Parameter>| {
-                let (mut inputs, mut outputs) = ([zero; I], [zero; O]);
-                for (input, load) in inputs.iter_mut().zip(loads) {
-                    *input = shape.work(load)?;
-                }
-                for (output, entry) in outputs.iter_mut().zip(entries) {
-                    *output = shape.value(entry)?;
-                }
-                space.push(root.omega, inputs, outputs).map(|()| zero)
+                let inputs = each_of(loads, |load| shape.work(load))?;
+                let outputs = each_of(entries, |entry| shape.value(entry))?;
+                keep(inputs, outputs).map(|()| Scalar::from_f64(0.0))
             };
-            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))?;
-        }
-        Ok(space)
+            for_each_shape::<MODES, _, _, _>(self, root, each, &mut |_| Ok(()))
+        })
     }
 
     /// How much of the mass the modes of some roots take with them along a direction, or about an axis, as [`Participation`] says: up to `N` shapes.

@@ -4,7 +4,7 @@ use crate::answer::network::states::PlaneStates;
 use crate::element::{MemberEnds, MemberMotion, VisitMember};
 use crate::model::{EndMotion, MotionError, SpreadLoad};
 use crate::number::{Oscillation, Scalar};
-use crate::pass::network::{PerMember, PlacedMotions, load_work};
+use crate::pass::network::{PerMember, Placed, PlacedMotions, load_work};
 use mstmm_plan::Freedoms;
 use num_traits::Zero;
 
@@ -21,7 +21,7 @@ where
     Y: PlacedMotions<S>,
     S: Oscillation<Y::Parameter>,
 {
-    let [nodes, members] = system.sizes();
+    let members = system.sizes()[1];
     let mut loads = system.per_member([S::zero(); 2]);
     if let Some(member) = load.member {
         for part in system.parts_of(member)? {
@@ -33,17 +33,35 @@ where
     if freedom.is(Freedoms::Z) && system.is_flat() {
         return Err(MotionError::NoSuchFreedom { freedom });
     }
-    let has_weight = |node: usize| {
-        let (body, motions) = system.node(node);
-        motions.has_no_direction() && body.has_body() && !body.mass.is_zero()
-    };
-    if (0..nodes).any(has_weight) {
-        return Err(MotionError::NoUniformLoad);
-    }
+    check_paths(system)?;
     for (member, own) in loads.as_mut().iter_mut().enumerate().take(members) {
         *own = on_member(system, load, member)?;
     }
     Ok(loads)
+}
+
+/// Checks that no path of one motion has a mass, whose weight has no direction.
+///
+/// # Errors
+/// [`MotionError::NoUniformLoad`] where one has.
+pub(super) fn check_paths<Y: Placed>(system: &Y) -> Result<(), MotionError> {
+    let has_weight = |node: usize| {
+        let (body, motions) = system.node(node);
+        motions.has_no_direction() && body.has_body() && !body.mass.is_zero()
+    };
+    if (0..system.sizes()[0]).any(has_weight) { Err(MotionError::NoUniformLoad) } else { Ok(()) }
+}
+
+/// Whether a member stands in a path of one motion.
+pub(super) fn is_in_path<Y: Placed>(system: &Y, member: usize) -> bool {
+    let placement = system.placement(member);
+    [0, 1].iter().any(|end| system.node(placement.node_of(*end)).1.has_no_direction())
+}
+
+/// Whether a member is a straight line between two places: it stands in no path and has one x axis at both ends.
+pub(super) fn is_straight<Y: Placed>(system: &Y, member: usize) -> bool {
+    let placement = system.placement(member);
+    placement.axes::<Y::Parameter>(0).along == placement.axes(1).along && !is_in_path(system, member)
 }
 
 /// A load on a member, along it and across it, per length.
@@ -65,10 +83,8 @@ where
     if placement.part() == 2 {
         return Ok([S::zero(); 2]);
     }
-    let is_straight = placement.axes::<Y::Parameter>(0).along == placement.axes(1).along
-        && [0, 1].iter().all(|end| !system.node(placement.node_of(*end)).1.has_no_direction());
     let takes_loads = system.visit_member(member, TakesLoads).unwrap_or(false);
-    if !(is_straight && takes_loads) {
+    if !(is_straight(system, member) && takes_loads) {
         return Err(MotionError::NoUniformLoad);
     }
     let mut direction = [S::zero(); 6];

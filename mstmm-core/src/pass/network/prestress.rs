@@ -1,7 +1,7 @@
 //! Structures whose members take axial forces once they are built.
 
 use crate::element::MemberElement;
-use crate::model::{InvalidParameter, Spot};
+use crate::model::InvalidParameter;
 use crate::pass::network::memory::Memory;
 use crate::pass::network::placed::Placed;
 use crate::pass::network::structure::Network;
@@ -17,9 +17,9 @@ pub trait Prestressed: Placed + Clone {
     #[doc(hidden)]
     fn describe(&mut self);
 
-    /// What errors call a member: where it is, and its name.
+    /// The name of a member, or of its kind.
     #[doc(hidden)]
-    fn called(&self, member: usize) -> (Spot, &'static str);
+    fn name_of_member(&self, member: usize) -> &'static str;
 }
 
 impl<E: MemberElement, M: Memory> Prestressed for Network<E, M> {
@@ -43,7 +43,7 @@ impl<E: MemberElement, M: Memory> Prestressed for Network<E, M> {
         self.estimate();
     }
 
-    fn called(&self, member: usize) -> (Spot, &'static str) {
-        (Spot::Member(member), self.kinds().get(member).copied().unwrap_or_default())
+    fn name_of_member(&self, member: usize) -> &'static str {
+        self.kinds().get(member).copied().unwrap_or_default()
     }
 }

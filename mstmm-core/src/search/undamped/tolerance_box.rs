@@ -89,10 +89,7 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     /// [`ToleranceError::Search`] as [`first_frequencies`](NaturalFrequencies::first_frequencies) of both systems.
     pub fn first_frequencies<const N: usize>(&self) -> Result<List<FrequencyRange<Y::Parameter>, N>, ToleranceError> {
         let (soft, stiff) = (self.soft.first_frequencies::<N>()?, self.stiff.first_frequencies::<N>()?);
-        let mut ranges = List::new();
-        // there is room for as many
-        (0..N as u64).filter_map(|number| range(&soft, &stiff, number)).try_for_each(|range| ranges.push(range)).ok();
-        Ok(ranges)
+        Ok(collected(1, |number| range(&soft, &stiff, number)))
     }
 
     /// The ranges of the first `count` frequencies in a vector, as [`first_frequencies`](ToleranceBox::first_frequencies).
@@ -102,7 +99,7 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     #[cfg(feature = "std")]
     pub fn frequencies(&self, count: usize) -> Result<std::vec::Vec<FrequencyRange<Y::Parameter>>, ToleranceError> {
         let (soft, stiff) = (self.soft.frequencies(count)?, self.stiff.frequencies(count)?);
-        Ok((0..count as u64).filter_map(|number| range(&soft, &stiff, number)).collect())
+        Ok((1..=count as u64).filter_map(|number| range(&soft, &stiff, number)).collect())
     }
 
     /// How many frequencies a system of the box may have below ω [rad/s]: at least those of the stiff one, at most those of the soft one.
@@ -129,13 +126,31 @@ impl<Y: NaturalFrequencies + Undamped> ToleranceBox<Y> {
     }
 }
 
-/// The range of the frequency of a number, from 0 on.
+/// The range of the frequency of a number, from 1 on.
 fn range<T: Real>(
     soft: &[NaturalFrequency<T>],
     stiff: &[NaturalFrequency<T>],
     number: u64,
 ) -> Option<FrequencyRange<T>> {
-    let of_number =
-        |roots: &[NaturalFrequency<T>]| roots.iter().find(|root| number < root.index - 1 + root.multiplicity).copied();
-    Some(FrequencyRange { lowest: of_number(soft)?, highest: of_number(stiff)? })
+    let of = |roots| of_number(roots, number, |root: &NaturalFrequency<T>| [root.index, root.multiplicity]);
+    Some(FrequencyRange { lowest: of(soft)?, highest: of(stiff)? })
+}
+
+/// What has a number in a list, given the index and the multiplicity of each.
+pub(crate) fn of_number<C: Copy>(list: &[C], number: u64, numbers_of: impl Fn(&C) -> [u64; 2]) -> Option<C> {
+    let has_number = |own: &&C| {
+        let [index, multiplicity] = numbers_of(own);
+        (index..index + multiplicity).contains(&number)
+    };
+    list.iter().find(has_number).copied()
+}
+
+/// The ranges of numbers from a first one on, as many as there is room for.
+pub(crate) fn collected<R: Copy + Default, const CAP: usize>(
+    first: u64,
+    range: impl Fn(u64) -> Option<R>,
+) -> List<R, CAP> {
+    let mut ranges = List::new();
+    (first..first + CAP as u64).filter_map(range).try_for_each(|range| ranges.push(range)).ok();
+    ranges
 }

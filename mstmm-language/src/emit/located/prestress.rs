@@ -38,11 +38,8 @@ pub(super) fn prestressed(skeleton: &Skeleton<'_>, names: &Names) -> TokenStream
                 self.skeleton.arrange(&ORDER.order());
             }
 
-            fn called(
-                &self,
-                member: ::core::primitive::usize,
-            ) -> (#private::Spot, &'static ::core::primitive::str) {
-                (#private::System::spot_of_member(self, member), SKETCH.members[member].name)
+            fn name_of_member(&self, member: ::core::primitive::usize) -> &'static ::core::primitive::str {
+                SKETCH.members[member].name
             }
         }
     }
