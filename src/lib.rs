@@ -41,7 +41,7 @@
 //! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
 //! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |
-//! | the exact ranges of all frequencies over a box of tolerances | [`ToleranceBox`](search::ToleranceBox) |
+//! | the exact ranges of all frequencies over a box of tolerances | [`ToleranceBox`](search::ToleranceBox), of fields [`between`](search::Between::between) |
 //! | the first n natural frequencies of many models | [`Sweep::first_frequencies`](search::Sweep::first_frequencies) |
 //! | Δ and counts at many frequencies at once | [`characteristics`], [`counts_below`] |
 //! | the overall transfer matrix of the paper and its determinant | [`overall_matrix`], [`overall_determinant`] |
@@ -114,6 +114,39 @@ pub mod search {
     /// use mstmm::prelude::*;
     ///
     /// system! {
+    ///     struct Cantilever { ei: f64, m: f64 }
+    ///     fixed -> beam 1 { length: 1.0, bending_stiffness: ei, mass_per_length: m } -> free;
+    /// }
+    ///
+    /// let (low, high) = (Cantilever { ei: 95.0, m: 0.98 }, Cantilever { ei: 105.0, m: 1.02 });
+    /// let lot = Cantilever::between(&low, &high)?;
+    /// let range = lot.first_frequencies::<1>()?[0];
+    /// assert!((range.lowest.omega / 3.516015 - (95.0_f64 / 1.02).sqrt()).abs() < 1e-5);
+    /// assert!((range.highest.omega / 3.516015 - (105.0_f64 / 0.98).sqrt()).abs() < 1e-5);
+    /// assert!(lot.is_attained()?);
+    /// # Ok::<(), mstmm::search::ToleranceError>(())
+    /// ```
+    ///
+    /// A formula that compares fields has no box:
+    ///
+    /// ```compile_fail,E0080
+    /// use mstmm::prelude::*;
+    ///
+    /// system! {
+    ///     struct Cantilever { ei: f64, m: f64 }
+    ///     let stiffer = if ei > 100.0 { 2.0 * ei } else { ei };
+    ///     fixed -> beam 1 { length: 1.0, bending_stiffness: stiffer, mass_per_length: m } -> free;
+    /// }
+    ///
+    /// let (low, high) = (Cantilever { ei: 95.0, m: 0.98 }, Cantilever { ei: 105.0, m: 1.02 });
+    /// let lot = Cantilever::between(&low, &high);
+    /// ```
+    ///
+    pub use mstmm_core::search::Between;
+    /// ```
+    /// use mstmm::prelude::*;
+    ///
+    /// system! {
     ///     pub struct Cantilever { length: f64 }
     ///     fixed -> beam 1 { length, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
     /// }
@@ -148,8 +181,8 @@ pub mod search {
     pub use mstmm_core::search::critical_loads;
     pub use mstmm_core::search::*;
     pub use mstmm_core::{
-        Characteristic, Evaluate, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Rotor, SearchError,
-        SpeedError, Spinning, Spot, System, ToleranceError, Whirl,
+        Characteristic, Evaluate, Formulas, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Numbered, Rotor,
+        SearchError, SpeedError, Spinning, Spot, System, ToleranceError, Whirl,
     };
 }
 
@@ -212,8 +245,8 @@ pub mod frame {
 pub mod prelude {
     pub use crate::motion::{Direction, FrameAnalysis, Load, ModalAnalysis, PlaneLoad, WhirlAnalysis};
     pub use crate::search::{
-        Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies, NaturalFrequency,
-        Region, Spectrum, Sweep, Undamped, Whirl, fmin1d, fmin2d,
+        Between, Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies,
+        NaturalFrequency, Region, Spectrum, Sweep, ToleranceBox, Undamped, Whirl, fmin1d, fmin2d,
     };
     pub use crate::{Complex, system};
 }

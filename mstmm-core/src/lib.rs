@@ -119,6 +119,8 @@ pub use number::frequency::{
     ComplexEigenvalue, ComplexFrequency, ExtendedOf, Frequency, MayDecay, Oscillation, Parameter, Real, RealFrequency,
 };
 pub use number::frequency_powers::FrequencyPowers;
+#[doc(hidden)]
+pub use number::interval::Interval;
 pub use number::packed::InLanes;
 pub use number::partials::Partials;
 #[doc(hidden)]
@@ -131,17 +133,20 @@ pub use number::wave_functions::{WaveFunctions, WaveProducts};
 pub use pass::at_once::InBlocks;
 pub use pass::characteristic::{Characteristic, System};
 pub use pass::drawn_tree::{DrawnPart, DrawnStep, DrawnTree};
+#[doc(hidden)]
+pub use pass::formulas::Enclosing;
+pub use pass::formulas::Formulas;
 pub use pass::inlining::{coefficients, join, root, step};
-pub use pass::model::Model;
+pub use pass::model::{Model, Numbered};
 #[cfg(feature = "std")]
 pub use pass::network::Vectors;
 pub use pass::network::{
-    Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Located, Member,
-    Memory, Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember,
-    PerNode, Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Prestressed,
-    Seat, Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane,
-    SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel, build_member, network_pass,
-    overall_determinant, overall_matrix, visit_network,
+    Arrays, Axis, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, End, InNetwork, Member, Memory,
+    Motions, MovingNetwork, Network, NetworkError, NetworkSketch, Node, OverallNetwork, OwnMembers, PerMember, PerNode,
+    Placed, PlacedCharts, PlacedMotions, PlacedNode, PlacedTransfers, Placement, PlaneFrequency, Prestressed, Seat,
+    Skeleton, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode, SketchedPlane, SketchedPoint,
+    SketchedSkew, SketchedSupport, SketchedUp, StiffnessModel, build_member, network_pass, overall_determinant,
+    overall_matrix, visit_network,
 };
 pub use pass::overall::assembly::Assembly;
 pub use pass::overall::determinant::determinant;
@@ -152,7 +157,7 @@ pub use pass::side_by_side::Lanewise;
 pub use pass::step_list::{ListError, ListStep, OPEN_PATHS, StepList};
 pub use pass::tree::{ExtendedTree, Planned, Tree};
 pub use proof::visit::{Visitor, visit_steps};
-pub use search::rotor::{Rotor, RotorModel, Spinning, Whirl};
+pub use search::rotor::{Rotor, Spinning, Whirl};
 pub use structure::chart::{Chart, JoinedEnd, MOST_ENTRIES, MOST_FREEDOMS, MOST_VARIABLES};
 pub use structure::factor::Factor;
 pub use structure::member::{MemberLoad, MemberStiffness};

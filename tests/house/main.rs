@@ -34,6 +34,7 @@ const ORDER: &[(&str, &[&str])] = &[
             "model",
             "subspace/count",
             "pass/characteristic",
+            "pass/formulas",
             "pass/searched",
             "pass/at_once",
             "pass/side_by_side",

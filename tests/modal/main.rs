@@ -6,6 +6,7 @@ mod base;
 mod boxes;
 mod damping;
 mod dislocations;
+mod fields;
 mod models;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]

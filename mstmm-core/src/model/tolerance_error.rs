@@ -1,5 +1,6 @@
 //! Errors of boxes of tolerances.
 
+use crate::model::error::ParameterError;
 use crate::model::motion_error::MotionError;
 use crate::model::search_error::{SearchError, Spot};
 use core::fmt;
@@ -29,6 +30,56 @@ pub enum ToleranceError {
         /// The element.
         at: Spot,
     },
+    /// A field whose values are reversed or not finite.
+    Field {
+        /// The field.
+        field: &'static str,
+        /// Its value in the first model.
+        low: f64,
+        /// Its value in the second model.
+        high: f64,
+    },
+    /// A field that moves a parameter which acts both ways on frequencies.
+    Mixed {
+        /// The field.
+        field: &'static str,
+        /// The element, the body or the point.
+        element: Spot,
+        /// The parameter.
+        parameter: &'static str,
+    },
+    /// A formula that is not defined in all of a box, or has no bounds there.
+    Unbounded {
+        /// A field on which it depends.
+        field: &'static str,
+        /// Its lower bound, as far as there is one.
+        low: f64,
+        /// Its upper bound, as far as there is one.
+        high: f64,
+    },
+    /// A parameter that differs by something else than fields whose formulas are known.
+    Unseen {
+        /// The element, the body or the point.
+        element: Spot,
+        /// The parameter.
+        parameter: &'static str,
+        /// Its value in the first model.
+        low: f64,
+        /// Its value in the second model.
+        high: f64,
+    },
+    /// A name that is that of no field with formulas.
+    NoSuchField {
+        /// The name.
+        field: &'static str,
+    },
+    /// A field in no parts.
+    NoParts {
+        /// The field.
+        field: &'static str,
+    },
+    /// A parameter out of its range at an end of the box.
+    Parameter(ParameterError),
     /// A search in one of both systems.
     Search(SearchError),
     /// A load at rest on one of both systems.
@@ -38,6 +89,12 @@ pub enum ToleranceError {
 impl From<SearchError> for ToleranceError {
     fn from(error: SearchError) -> Self {
         ToleranceError::Search(error)
+    }
+}
+
+impl From<ParameterError> for ToleranceError {
+    fn from(error: ParameterError) -> Self {
+        ToleranceError::Parameter(error)
     }
 }
 
@@ -61,6 +118,29 @@ impl fmt::Display for ToleranceError {
             ToleranceError::NotKnown { at } => {
                 write!(f, "no parameters of {at} are known, so that nothing tells which system is the softer one there")
             }
+            ToleranceError::Field { field, low, high } => {
+                write!(
+                    f,
+                    "field `{field}` is {low} in the first model and {high} in the second one: a box goes up from the first to the second"
+                )
+            }
+            ToleranceError::Mixed { field, element, parameter } => write!(
+                f,
+                "field `{field}` moves `{parameter}` of {element}, which acts both ways on frequencies: give it the same value in both models"
+            ),
+            ToleranceError::Unbounded { field, low, high } => write!(
+                f,
+                "a formula of field `{field}` goes from {low} to {high} over the box: it has to be defined and bounded in all of it"
+            ),
+            ToleranceError::Unseen { element, parameter, low, high } => write!(
+                f,
+                "`{parameter}` of {element} is {low} in the first model and {high} in the second one by something else than fields with sensitivities: it has to be the same"
+            ),
+            ToleranceError::NoSuchField { field } => {
+                write!(f, "the model has no field `{field}` that takes part in a box")
+            }
+            ToleranceError::NoParts { field } => write!(f, "field `{field}` in no parts: it has one at least"),
+            ToleranceError::Parameter(error) => write!(f, "at an end of the box: {error}"),
             ToleranceError::Search(error) => write!(f, "{error}"),
             ToleranceError::Motion(error) => write!(f, "{error}"),
         }

@@ -6,6 +6,7 @@ pub(crate) mod constants;
 pub(crate) mod double_double;
 pub(crate) mod doubt;
 pub(crate) mod dual;
+pub(crate) mod elementary;
 pub(crate) mod even_waves;
 pub(crate) mod exponent;
 pub(crate) mod exponentials;
@@ -14,6 +15,7 @@ pub(crate) mod floats;
 pub(crate) mod frequency;
 pub(crate) mod frequency_powers;
 pub(crate) mod gauss;
+pub(crate) mod interval;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;

@@ -3,6 +3,7 @@
 mod functions;
 mod operators;
 
+use crate::number::elementary::Elementary;
 use core::cmp::Ordering;
 
 /// A number and its partial derivatives with respect to the `K` fields of a model.
@@ -13,6 +14,8 @@ use core::cmp::Ordering;
 /// A derivative that is zero stays zero where the slope of a function is infinite. Where a function has a kink, as `abs` at
 /// zero, the derivative is that of one side.
 ///
+/// Value and derivatives are of a type `V`: `f64`, or an interval that holds all values over a box of fields.
+///
 /// # Example
 /// ```
 /// # use mstmm_core::Partials;
@@ -21,33 +24,34 @@ use core::cmp::Ordering;
 /// assert_eq!((area.value, area.partials), (0.1, [0.5, 0.2]));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Partials<const K: usize> {
+pub struct Partials<const K: usize, V = f64> {
     /// The value.
-    pub value: f64,
+    pub value: V,
     /// Its derivative with respect to each field.
-    pub partials: [f64; K],
+    pub partials: [V; K],
 }
 
-impl<const K: usize> Partials<K> {
+impl<const K: usize, V: Elementary> Partials<K, V> {
     /// The field at an index itself: its own derivative is 1, all others are 0.
-    pub fn variable(value: f64, index: usize) -> Self {
-        Partials { value, partials: core::array::from_fn(|field| if field == index { 1.0 } else { 0.0 }) }
+    pub fn variable(value: V, index: usize) -> Self {
+        let partial = |field| V::constant(if field == index { 1.0 } else { 0.0 });
+        Partials { value, partials: core::array::from_fn(partial) }
     }
 
     /// A number that depends on no field.
     pub fn constant(value: f64) -> Self {
-        Partials { value, partials: [0.0; K] }
+        Partials { value: V::constant(value), partials: [V::constant(0.0); K] }
     }
 
     /// A function by its value and slope at `self.value`.
     #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
+    fn chain(self, value: V, slope: V) -> Self {
         Partials { value, partials: self.partials.map(|partial| scaled(partial, slope)) }
     }
 
     /// A function of two numbers by its value and its slopes in both.
     #[inline]
-    fn chain_of_two(self, other: Self, value: f64, slopes: [f64; 2]) -> Self {
+    fn chain_of_two(self, other: Self, value: V, slopes: [V; 2]) -> Self {
         let partial = |field| scaled(self.partials[field], slopes[0]) + scaled(other.partials[field], slopes[1]);
         Partials { value, partials: core::array::from_fn(partial) }
     }
@@ -55,11 +59,11 @@ impl<const K: usize> Partials<K> {
 
 /// A partial derivative times a slope: zero where there is none, however steep the slope.
 #[inline]
-fn scaled(partial: f64, slope: f64) -> f64 {
-    if partial == 0.0 { 0.0 } else { partial * slope }
+fn scaled<V: Elementary>(partial: V, slope: V) -> V {
+    if partial.is_zero() { partial } else { partial * slope }
 }
 
-impl<const K: usize> Default for Partials<K> {
+impl<const K: usize, V: Elementary> Default for Partials<K, V> {
     fn default() -> Self {
         Partials::constant(0.0)
     }
@@ -68,13 +72,13 @@ impl<const K: usize> Default for Partials<K> {
 /// Implements comparisons by value between two types.
 macro_rules! compare {
     ($($left:ty, $right:ty: $of_left:expr, $of_right:expr;)*) => {$(
-        impl<const K: usize> PartialEq<$right> for $left {
+        impl<const K: usize, V: Elementary> PartialEq<$right> for $left {
             fn eq(&self, other: &$right) -> bool {
                 $of_left(self) == $of_right(other)
             }
         }
 
-        impl<const K: usize> PartialOrd<$right> for $left {
+        impl<const K: usize, V: Elementary> PartialOrd<$right> for $left {
             fn partial_cmp(&self, other: &$right) -> Option<Ordering> {
                 $of_left(self).partial_cmp(&$of_right(other))
             }
@@ -83,19 +87,19 @@ macro_rules! compare {
 }
 
 /// The value of a number with derivatives.
-fn value<const K: usize>(number: &Partials<K>) -> f64 {
+fn value<const K: usize, V: Elementary>(number: &Partials<K, V>) -> V {
     number.value
 }
 
 /// The value of a plain number.
-fn itself(number: &f64) -> f64 {
-    *number
+fn itself<V: Elementary>(number: &f64) -> V {
+    V::constant(*number)
 }
 
 compare! {
-    Partials<K>, Partials<K>: value, value;
-    Partials<K>, f64: value, itself;
-    f64, Partials<K>: itself, value;
+    Partials<K, V>, Partials<K, V>: value, value;
+    Partials<K, V>, f64: value, itself::<V>;
+    f64, Partials<K, V>: itself::<V>, value;
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ pub(crate) mod at_once;
 pub(crate) mod both_ways;
 pub(crate) mod characteristic;
 pub(crate) mod drawn_tree;
+pub(crate) mod formulas;
 pub(crate) mod in_proportion;
 pub(crate) mod inlining;
 pub(crate) mod jump;

@@ -1,9 +1,42 @@
 //! A model before it is built: its numbers, and the systems that are built of them.
 
 use crate::model::ParameterError;
-use crate::number::Parameter;
+use crate::number::{Parameter, Real};
 
-/// The parameters of a model, from which systems are built, over one type of number or another.
+/// A model by its numbers: places and parameters of elements, as its formulas give them.
+///
+/// `system!` implements it.
+pub trait Numbered {
+    /// The built system over parameters of a type.
+    type System<T: Parameter>;
+
+    /// Room for the numbers.
+    #[doc(hidden)]
+    type Numbers: AsRef<[f64]> + AsMut<[f64]> + Copy;
+
+    /// The numbers of the model.
+    #[doc(hidden)]
+    fn numbers(&self) -> Self::Numbers;
+
+    /// Validates numbers and builds the system of them; what else a system keeps is that of this model.
+    #[doc(hidden)]
+    fn build_of<T: Real>(&self, numbers: &Self::Numbers) -> Result<Self::System<T>, ParameterError>;
+}
+
+impl<M: Numbered> Numbered for &M {
+    type System<T: Parameter> = M::System<T>;
+    type Numbers = M::Numbers;
+
+    fn numbers(&self) -> M::Numbers {
+        (*self).numbers()
+    }
+
+    fn build_of<T: Real>(&self, numbers: &M::Numbers) -> Result<M::System<T>, ParameterError> {
+        (*self).build_of(numbers)
+    }
+}
+
+/// A model whose systems are built over one type of number or another: what sweeps take.
 ///
 /// `system!` implements it.
 #[diagnostic::on_unimplemented(
@@ -12,18 +45,7 @@ use crate::number::Parameter;
     note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`",
     note = "a model with places is built and searched by itself, and so is a rotor, whose whirls are searched: `campbell` takes many speeds"
 )]
-pub trait Model {
-    /// The built system over parameters of a type.
-    type System<T: Parameter>;
-
-    /// Room for the parameters of all elements.
-    #[doc(hidden)]
-    type Numbers: AsRef<[f64]>;
-
-    /// The parameters of all elements.
-    #[doc(hidden)]
-    fn numbers(&self) -> Self::Numbers;
-
+pub trait Model: Numbered {
     /// The system of such numbers, without estimates; what else a system keeps is that of this model.
     #[doc(hidden)]
     fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<Self::System<T>, ParameterError>;
@@ -32,22 +54,13 @@ pub trait Model {
     ///
     /// # Errors
     /// The error names the first element with a parameter out of its range, the parameter and its value.
-    fn build(&self) -> Result<Self::System<f64>, ParameterError>;
+    fn build(&self) -> Result<Self::System<f64>, ParameterError> {
+        self.build_of(&self.numbers())
+    }
 }
 
 impl<M: Model> Model for &M {
-    type System<T: Parameter> = M::System<T>;
-    type Numbers = M::Numbers;
-
-    fn numbers(&self) -> M::Numbers {
-        (*self).numbers()
-    }
-
     fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<M::System<T>, ParameterError> {
         (*self).of_numbers(number)
-    }
-
-    fn build(&self) -> Result<M::System<f64>, ParameterError> {
-        (*self).build()
     }
 }

@@ -28,6 +28,7 @@ pub use minima::fmin2d::{MAX_MOVES, MAX_ROW, Minimum2d, fmin2d};
 pub use minima::grid::{MAX_POINTS, Minima};
 pub use proportional_damping::ProportionalDamping;
 pub use stability_threshold::{Threshold, stability_threshold};
+pub use undamped::field_box::{Between, FieldBox};
 pub use undamped::found::{FrequencyList, NaturalFrequency};
 pub use undamped::natural::NaturalFrequencies;
 pub use undamped::sweep::{FirstFrequencies, Sweep, SweepError};

@@ -1,7 +1,6 @@
 //! A rotor: a system whose shafts and discs spin, seen from both whirls.
 
-use crate::model::{FrequencyEstimates, ParameterError};
-use crate::number::Parameter;
+use crate::model::FrequencyEstimates;
 use crate::pass::characteristic::System;
 
 /// The sense in which the bending of a rotor whirls.
@@ -71,20 +70,4 @@ impl<Y: System> System for Rotor<Y> {
     fn frequency_estimates(&self) -> FrequencyEstimates {
         self.forward.frequency_estimates()
     }
-}
-
-/// The parameters of a rotor, from which it is built over one type of number or another. `system!` implements it.
-#[doc(hidden)]
-pub trait RotorModel {
-    /// The system of a whirl over parameters of a type.
-    type System<T: Parameter>;
-
-    /// Room for the parameters of all elements.
-    type Numbers: AsRef<[f64]>;
-
-    /// The parameters of all elements.
-    fn numbers(&self) -> Self::Numbers;
-
-    /// The system of forward whirl of such numbers, without estimates.
-    fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<Self::System<T>, ParameterError>;
 }

@@ -1,7 +1,7 @@
 //! What sizes of sections are made of.
 
-use crate::number::Partials;
-use crate::number::elementary;
+use crate::number::interval::Interval;
+use crate::number::{Partials, elementary};
 use core::ops::{Add, Div, Mul, Sub};
 
 /// A plain number, or one with derivatives: `f64` and [`Partials`].
@@ -18,8 +18,13 @@ pub trait Number:
     /// A number that depends on nothing.
     fn constant(value: f64) -> Self;
 
-    /// Its value.
-    fn value(self) -> f64;
+    /// Its least and its greatest value, which are one for all but intervals.
+    #[doc(hidden)]
+    fn ends(self) -> [f64; 2];
+
+    /// The smaller and the larger one of two; of equal ones each once.
+    #[doc(hidden)]
+    fn sorted(self, other: Self) -> [Self; 2];
 
     /// The exponential function.
     #[must_use]
@@ -31,8 +36,12 @@ impl Number for f64 {
         value
     }
 
-    fn value(self) -> f64 {
-        self
+    fn ends(self) -> [f64; 2] {
+        [self; 2]
+    }
+
+    fn sorted(self, other: Self) -> [Self; 2] {
+        [self.min(other), other.max(self)]
     }
 
     fn exponential(self) -> Self {
@@ -40,18 +49,34 @@ impl Number for f64 {
     }
 }
 
-impl<const K: usize> Number for Partials<K> {
-    fn constant(value: f64) -> Self {
-        Partials::constant(value)
-    }
+/// Numbers with derivatives, given the ends of a value.
+macro_rules! with_derivatives {
+    ($($value:ty, $ends:expr;)*) => {$(
+        impl<const K: usize> Number for Partials<K, $value> {
+            fn constant(value: f64) -> Self {
+                Partials::constant(value)
+            }
 
-    fn value(self) -> f64 {
-        self.value
-    }
+            fn ends(self) -> [f64; 2] {
+                $ends(self.value)
+            }
 
-    fn exponential(self) -> Self {
-        self.exp()
-    }
+            fn sorted(self, other: Self) -> [Self; 2] {
+                [self.min(other), other.max(self)]
+            }
+
+            fn exponential(self) -> Self {
+                self.exp()
+            }
+        }
+
+        impl<const K: usize> sealed::Sealed for Partials<K, $value> {}
+    )*};
+}
+
+with_derivatives! {
+    f64, |value| [value; 2];
+    Interval, |value: Interval| [value.low, value.high];
 }
 
 mod sealed {
@@ -59,5 +84,4 @@ mod sealed {
     pub trait Sealed {}
 
     impl Sealed for f64 {}
-    impl<const K: usize> Sealed for crate::number::Partials<K> {}
 }

@@ -69,21 +69,31 @@ const SIZES: Requirement = Requirement::Between { least: 1e-50, most: 1e50 };
 
 /// Checks that a size is positive, and neither tiny nor huge.
 pub(super) fn check_size<T: Number>(name: &'static str, size: T) -> Result<(), InvalidParameter> {
-    Requirement::Positive.check(name, size.value())?;
-    SIZES.check(name, size.value())
+    check_ends(Requirement::Positive, name, size)?;
+    check_ends(SIZES, name, size)
 }
 
 /// Checks that a size is greater than what it has inside.
 pub(super) fn check_room<T: Number>(
     name: &'static str,
     size: T,
-    inside: f64,
+    inside: T,
     formula: &'static str,
 ) -> Result<(), InvalidParameter> {
-    Requirement::above(inside, formula).check(name, size.value())
+    let [_, most] = inside.ends();
+    check_ends(Requirement::above(most, formula), name, size)
+}
+
+/// Checks both ends of a number.
+pub(super) fn check_ends<T: Number>(
+    requirement: Requirement,
+    name: &'static str,
+    number: T,
+) -> Result<(), InvalidParameter> {
+    number.ends().into_iter().try_for_each(|end| requirement.check(name, end))
 }
 
 /// Checks a Poisson ratio.
 pub(super) fn check_ratio<T: Number>(poisson_ratio: T) -> Result<(), InvalidParameter> {
-    Requirement::Between { least: 0.0, most: 0.5 }.check("poisson_ratio", poisson_ratio.value())
+    check_ends(Requirement::Between { least: 0.0, most: 0.5 }, "poisson_ratio", poisson_ratio)
 }

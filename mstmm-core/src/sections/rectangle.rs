@@ -77,7 +77,7 @@ pub(super) fn shear<T: Number>(nu: T) -> T {
 
 /// The torsion constant.
 fn torsion<T: Number>(width: T, height: T) -> T {
-    let (long, short) = if width.value() < height.value() { (height, width) } else { (width, height) };
+    let [short, long] = width.sorted(height);
     // tanh x = 1 - 2 e/(1 + e), e = exp(-2 x)
     let mut sum = T::constant(ODD_FIFTHS);
     for n in (0..TERMS).map(|term| f64::from(2 * term + 1)) {

@@ -2,7 +2,7 @@
 
 use crate::model::error::{InvalidParameter, Requirement};
 use crate::sections::number::Number;
-use crate::sections::properties::{Properties, ShearCoefficients, check_ratio, check_room, check_size};
+use crate::sections::properties::{Properties, ShearCoefficients, check_ends, check_ratio, check_room, check_size};
 use core::f64::consts::PI;
 
 /// A full circle.
@@ -93,8 +93,8 @@ impl<T: Number> Tube<T> {
 
     fn check(self) -> Result<(), InvalidParameter> {
         check_size("outer", self.outer)?;
-        Requirement::NonNegative.check("inner", self.inner.value())?;
-        check_room("outer", self.outer, self.inner.value(), "inner")
+        check_ends(Requirement::NonNegative, "inner", self.inner)?;
+        check_room("outer", self.outer, self.inner, "inner")
     }
 }
 

@@ -76,8 +76,8 @@ impl<T: Number> BoxSection<T> {
         for (name, size) in [("width", self.width), ("height", self.height), ("wall", self.wall)] {
             check_size(name, size)?;
         }
-        check_room("width", self.width, 2.0 * self.wall.value(), "2 wall")?;
-        check_room("height", self.height, 2.0 * self.wall.value(), "2 wall")
+        check_room("width", self.width, self.wall * 2.0, "2 wall")?;
+        check_room("height", self.height, self.wall * 2.0, "2 wall")
     }
 }
 
@@ -159,8 +159,8 @@ impl<T: Number> ISection<T> {
         for (name, size) in sizes {
             check_size(name, size)?;
         }
-        check_room("height", self.height, 2.0 * self.flange.value(), "2 flange")?;
-        check_room("width", self.width, self.web.value(), "web")
+        check_room("height", self.height, self.flange * 2.0, "2 flange")?;
+        check_room("width", self.width, self.web, "web")
     }
 }
 

@@ -32,6 +32,8 @@ pub(crate) struct Derivatives {
     parameters: BTreeMap<String, Vec<(Ident, Expr)>>,
     /// By their text: the numbers of a model with locations that depend on fields.
     numbers: BTreeMap<String, Expr>,
+    /// Whether a formula compares values that depend on fields.
+    pub(crate) compares: bool,
 }
 
 impl Derivatives {
@@ -62,7 +64,7 @@ impl Derivatives {
 
 /// Finds the formulas, and reports code without a derivative.
 pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
-    let mut formulas = Formulas { scope: Scope::of(model), facade: &model.facade, errors };
+    let mut formulas = Formulas { scope: Scope::of(model), facade: &model.facade, compares: false, errors };
     let mut lets = model.lets.clone();
     lets.iter_mut().for_each(|line| formulas.local(line));
     let mut parameters: BTreeMap<String, Vec<_>> = BTreeMap::new();
@@ -76,13 +78,13 @@ pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
     }
     // what is wrong with a parameter was said with its element
     let silent = &mut Errors::default();
-    let mut formulas = Formulas { scope: formulas.scope, facade: &model.facade, errors: silent };
+    let mut formulas = Formulas { errors: silent, ..formulas };
     for value in model.elements().flat_map(Element::parameters).map(Parameter::expression) {
         for part in tuple_parts(&value).unwrap_or_else(|| vec![&value]) {
             numbers.extend(formulas.number(part));
         }
     }
-    let derivatives = Derivatives { lets, parameters, numbers };
+    let derivatives = Derivatives { lets, parameters, numbers, compares: formulas.compares };
     if !derivatives.are_none() {
         exits::exits(model, errors);
     }
@@ -93,6 +95,7 @@ pub(crate) fn derivatives(model: &Model, errors: &mut Errors) -> Derivatives {
 struct Formulas<'a> {
     scope: Scope,
     facade: &'a TokenStream,
+    compares: bool,
     errors: &'a mut Errors,
 }
 

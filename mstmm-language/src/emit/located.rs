@@ -43,12 +43,12 @@ pub(crate) fn located(
     let parameters = parameters(model);
     let keeps_fields = !derivatives.are_none();
     let definition = system::definition(model, skeleton, keeps_fields, &names);
-    let numbers = numbers::numbers(model, skeleton, &names);
     let labels = labels::labels(model, &names);
     let points = points::points(model, skeleton, &names);
     let sketch = sketch::sketch(skeleton, &names);
     let build = system::build(model, skeleton, keeps_fields, &names);
     let sensitivity = sensitivity::sensitivity(model, skeleton, derivatives, &names);
+    let formulas = sensitivity::formulas(model, skeleton, derivatives, &names);
     let width = own::width(width, &names);
     let owned = own::own(network, skeleton, &names);
     let prestressed = prestress::prestressed(skeleton, &names);
@@ -64,7 +64,6 @@ pub(crate) fn located(
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition
-        #numbers
         const _: () = {
             #labels
             #points
@@ -79,6 +78,7 @@ pub(crate) fn located(
             #motions
             #overall
             #sensitivity
+            #formulas
             #searched
             #unused
         };

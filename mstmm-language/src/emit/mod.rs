@@ -2,6 +2,7 @@
 
 mod evaluate;
 mod fields;
+mod formulas;
 mod labels;
 mod layout;
 mod located;
@@ -39,6 +40,7 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
     let planned = tree::planned(model, plan, &names);
     let tree = tree::tree(plan, &names);
     let drawn = tree::drawn(plan, &names);
+    let formulas = formulas::of_plan(model, plan, derivatives, &names);
     let rotor = rotor::spinning(plan, &names);
     let unused = fields::unused(model, unused, &names);
     // one message for a planar path that is searched, rather than one for each number that searches use
@@ -62,6 +64,7 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
             #tree
             #drawn
             #unused
+            #formulas
             #rotor
             #searched
         };

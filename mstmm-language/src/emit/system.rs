@@ -117,46 +117,17 @@ pub(super) fn values_of_fields<'m>(
     })
 }
 
-/// `build()`: from the parameters to the struct of elements and the estimates of the searches.
+/// `build()` of a model whose numbers are parameters of elements.
 fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
-    let private = &names.private;
-    let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
-        let (span, element_field, kind) =
-            (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
-        let estimate = quote_spanned!(span=> #kind::estimate(&system.#element_field, &mut system.estimates););
-        // equal elements are built once, but each adds its length
-        match plan.uses_of(index) {
-            1 => estimate,
-            uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
-        }
-    });
-    let of_model = trait_of_model(plan, names);
-    let body = quote_spanned! {names.here=>
-        let numbers = #private::#of_model::numbers(self);
-        let mut system = #private::#of_model::of_numbers(self, |k| #private::Scalar::from_f64(numbers[k]))?;
-        #(#estimates)*
-        system.estimates.finish();
-    };
     let doc = [
         "Validates all parameters and builds the system.",
         "The error names the first element with a parameter out of its range, the parameter and its value.",
     ];
-    build_functions(model, doc, (&body, plan.spins()), names)
+    build_functions(model, doc, plan.spins(), names)
 }
 
-/// The trait that a model implements: a rotor is no model of sweeps, since these ask one system.
-fn trait_of_model(plan: &Plan<'_>, names: &Names) -> Ident {
-    Ident::new(if plan.spins() { "RotorModel" } else { "Model" }, names.here)
-}
-
-/// `build` and `build_as`, given what they do and which number their error names; their body leaves a system. A rotor
-/// has it twice.
-pub(super) fn build_functions(
-    model: &Model,
-    doc: [&str; 2],
-    (body, spins): (&TokenStream, bool),
-    names: &Names,
-) -> TokenStream {
+/// `build` and `build_as`, given what they do and which number their error names. A rotor has its system twice.
+pub(super) fn build_functions(model: &Model, doc: [&str; 2], spins: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let of_numbers = quote_spanned!(names.here=> #system<#parameter>);
     let [built, built_as, result] = if spins {
@@ -187,34 +158,84 @@ pub(super) fn build_functions(
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#built_as, #private::ParameterError> {
-                #body
+                let system = #private::Numbered::build_of(self, &#private::Numbered::numbers(self))?;
                 ::core::result::Result::Ok(#result)
             }
         }
     }
 }
 
-/// `impl Model`: the numbers of all elements, and the struct of elements from numbers of any type.
+/// `impl Numbered` and `impl Model`: the numbers of all elements, and the struct of elements from numbers of any type. A rotor is no model of sweeps, since these ask one system.
 fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
-    let (name, lets) = (&model.parameters.ident, &model.lets);
-    let bindings = bindings(model, names);
+    let name = &model.parameters.ident;
+    let literal = elements_of_numbers(model, plan, keeps_fields, names);
+    let plain = quote_spanned!(names.here=> |k: ::core::primitive::usize| #private::Scalar::from_f64(numbers[k]));
+    let (elements, of_model) = if plan.spins() {
+        (quote_spanned!(names.here=> { let number = #plain; #literal }), None)
+    } else {
+        let of_model = quote_spanned! {names.here=>
+            impl #private::Model for #name {
+                fn of_numbers<#parameter: #private::Parameter>(
+                    &self,
+                    number: impl ::core::ops::Fn(::core::primitive::usize) -> #parameter,
+                ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
+                    ::core::result::Result::Ok(#literal)
+                }
+            }
+        };
+        (quote_spanned!(names.here=> #private::Model::of_numbers(self, #plain)?), Some(of_model))
+    };
+    let estimates = estimates(plan, names);
+    let build = quote_spanned! {names.here=>
+        let mut system = #elements;
+        #estimates
+    };
+    let numbers = plan.elements.iter().flat_map(|element| element.parameters());
+    let numbers = numbers.map(|parameter| number(parameter, names)).collect();
+    let numbered = numbered(model, numbers, &build, names);
+    quote_spanned!(names.here=> #numbered #of_model)
+}
+
+/// The struct of built elements, given a `number` of each place.
+fn elements_of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
+    let system = &names.system;
     let kept = values_of_fields(model, keeps_fields, names);
-    let numbers: Vec<_> = plan.elements.iter().flat_map(|element| element.parameters()).collect();
-    let (count, numbers) = (numbers.len(), numbers.into_iter().map(|parameter| number(parameter, names)));
     let mut place = 0_usize;
     let elements = plan.elements.iter().map(|element| built(element, &mut place, names));
-    let of_model = trait_of_model(plan, names);
-    let build = (!plan.spins()).then(|| {
-        quote_spanned! {names.here=>
-            fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
-                self.build_as()
-            }
+    quote_spanned! {names.here=>
+        #system {
+            #(#elements,)*
+            #(#kept,)*
+            estimates: ::core::default::Default::default(),
+            parameter: ::core::marker::PhantomData,
+        }
+    }
+}
+
+/// What estimates the frequencies of a `system` for the searches.
+fn estimates(plan: &Plan<'_>, names: &Names) -> TokenStream {
+    let estimates = plan.elements.iter().enumerate().map(|(index, element)| {
+        let (span, element_field, kind) =
+            (names.at_element(element), element_field(element, names), names.element_as(element, "Element"));
+        let estimate = quote_spanned!(span=> #kind::estimate(&system.#element_field, &mut system.estimates););
+        // equal elements are built once, but each adds its length
+        match plan.uses_of(index) {
+            1 => estimate,
+            uses => quote_spanned!(span=> for _ in 0..#uses { #estimate }),
         }
     });
+    quote_spanned!(names.here=> #(#estimates)* system.estimates.finish();)
+}
+
+/// `impl Numbered`, given all numbers, and what builds a `system` of them.
+pub(super) fn numbered(model: &Model, numbers: Vec<TokenStream>, build: &TokenStream, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let (name, lets, count) = (&model.parameters.ident, &model.lets, numbers.len());
+    let bindings = bindings(model, names);
     quote_spanned! {names.here=>
         // not marked as derived: rustc would be silent about a field that nothing uses
-        impl #private::#of_model for #name {
+        impl #private::Numbered for #name {
             type System<#parameter: #private::Parameter> = #system<#parameter>;
             type Numbers = [::core::primitive::f64; #count];
 
@@ -224,19 +245,13 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
                 [#(#numbers),*]
             }
 
-            fn of_numbers<#parameter: #private::Parameter>(
+            fn build_of<#parameter: #private::Real>(
                 &self,
-                number: impl ::core::ops::Fn(::core::primitive::usize) -> #parameter,
+                numbers: &[::core::primitive::f64; #count],
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
-                ::core::result::Result::Ok(#system {
-                    #(#elements,)*
-                    #(#kept,)*
-                    estimates: ::core::default::Default::default(),
-                    parameter: ::core::marker::PhantomData,
-                })
+                #build
+                ::core::result::Result::Ok(system)
             }
-
-            #build
         }
     }
 }

@@ -15,9 +15,11 @@ fn naming_a_speed_makes_a_rotor() {
     ] {
         let code = expanded(&format!("struct M {{ l: f64, k: f64 }} {paths}"));
         assert!(code.contains(&format!("elements :: {spins}")), "{code}");
-        for part in ["SPINS : bool = true", "Spinning for MSystem", "Rotor < MSystem", "RotorModel for M"] {
+        for part in ["SPINS : bool = true", "Spinning for MSystem", "Rotor < MSystem", "Numbered for M"] {
             assert!(code.contains(part), "no {part} in {code}");
         }
+        // neither a model of sweeps nor of boxes
+        assert!(!code.contains("Model for M") && !code.contains("Formulas for M"), "{code}");
     }
     let stator =
         expanded("struct M { l: f64, k: f64 } pinned -> disc 1 { mass: k, inertia: k, polar_inertia: l } -> free");

@@ -79,10 +79,42 @@ impl DampedMass {
     pub fn build_as<T: mstmm::__private::Real>(
         &self,
     ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
-        let numbers = mstmm::__private::Model::numbers(self);
+        let system = mstmm::__private::Numbered::build_of(
+            self,
+            &mstmm::__private::Numbered::numbers(self),
+        )?;
+        ::core::result::Result::Ok(system)
+    }
+}
+impl mstmm::__private::Numbered for DampedMass {
+    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
+    type Numbers = [::core::primitive::f64; 3usize];
+    fn numbers(&self) -> [::core::primitive::f64; 3usize] {
+        let stiffness = self.stiffness;
+        let damping = self.damping;
+        let mass = self.mass;
+        [
+            {
+                let number: ::core::primitive::f64 = stiffness;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = damping;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = mass;
+                number
+            },
+        ]
+    }
+    fn build_of<T: mstmm::__private::Real>(
+        &self,
+        numbers: &[::core::primitive::f64; 3usize],
+    ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
         let mut system = mstmm::__private::Model::of_numbers(
             self,
-            |k| mstmm::__private::Scalar::from_f64(numbers[k]),
+            |k: ::core::primitive::usize| mstmm::__private::Scalar::from_f64(numbers[k]),
         )?;
         <mstmm::__private::elements::Spring<
             T,
@@ -107,27 +139,6 @@ impl DampedMass {
     }
 }
 impl mstmm::__private::Model for DampedMass {
-    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
-    type Numbers = [::core::primitive::f64; 3usize];
-    fn numbers(&self) -> [::core::primitive::f64; 3usize] {
-        let stiffness = self.stiffness;
-        let damping = self.damping;
-        let mass = self.mass;
-        [
-            {
-                let number: ::core::primitive::f64 = stiffness;
-                number
-            },
-            {
-                let number: ::core::primitive::f64 = damping;
-                number
-            },
-            {
-                let number: ::core::primitive::f64 = mass;
-                number
-            },
-        ]
-    }
     fn of_numbers<T: mstmm::__private::Parameter>(
         &self,
         number: impl ::core::ops::Fn(::core::primitive::usize) -> T,
@@ -163,11 +174,6 @@ impl mstmm::__private::Model for DampedMass {
             estimates: ::core::default::Default::default(),
             parameter: ::core::marker::PhantomData,
         })
-    }
-    fn build(
-        &self,
-    ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
-        self.build_as()
     }
 }
 /// The labels of the sketch: elements and connections, as results about motions take them.
@@ -624,6 +630,49 @@ const _: () = {
                     _ => return ::core::option::Option::None,
                 },
             )
+        }
+    }
+    #[automatically_derived]
+    impl mstmm::__private::Formulas for DampedMass {
+        type Built = DampedMassSystem;
+        const COMPARES: ::core::primitive::bool = false;
+        #[inline]
+        fn values(
+            &self,
+        ) -> <DampedMassSystem as mstmm::__private::Fields>::PerField<
+            ::core::primitive::f64,
+        > {
+            [self.stiffness, self.damping, self.mass]
+        }
+        #[inline]
+        fn built(
+            &self,
+            numbers: &Self::Numbers,
+        ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
+            mstmm::__private::Numbered::build_of(self, numbers)
+        }
+        #[inline]
+        fn enclose(
+            &self,
+            fields: &<DampedMassSystem as mstmm::__private::Fields>::PerField<
+                mstmm::__private::Interval,
+            >,
+            take: &mut dyn ::core::ops::FnMut(
+                ::core::primitive::usize,
+                mstmm::__private::Interval,
+                &[mstmm::__private::Interval],
+            ),
+        ) {
+            let mut chain = mstmm::__private::Enclosing::new(fields);
+            let stiffness = chain.variable();
+            let damping = chain.variable();
+            let mass = chain.variable();
+            let number = stiffness;
+            take(0usize, number.value, &number.partials);
+            let number = damping;
+            take(1usize, number.value, &number.partials);
+            let number = mass;
+            take(2usize, number.value, &number.partials);
         }
     }
     #[automatically_derived]

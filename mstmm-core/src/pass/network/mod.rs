@@ -68,7 +68,7 @@ pub use prestress::Prestressed;
 pub(crate) use products::{mass_product, mass_product_of_two, member_works};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
-    Axis, Located, NetworkSketch, Seat, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode,
+    Axis, NetworkSketch, Seat, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode,
     SketchedPlane, SketchedPoint, SketchedSkew, SketchedSupport, SketchedUp,
 };
 pub use stiffness::StiffnessModel;

@@ -363,12 +363,3 @@ impl SketchedSkew {
         }
     }
 }
-
-/// A model whose points have places.
-pub trait Located {
-    /// Room for its numbers.
-    type Numbers: AsRef<[f64]>;
-
-    /// The numbers of its sketch, then the parameters of its members.
-    fn numbers(&self) -> Self::Numbers;
-}

@@ -2,6 +2,7 @@
 
 pub(crate) mod approach;
 mod domination;
+pub(crate) mod field_box;
 pub(crate) mod found;
 pub(crate) mod in_step;
 mod interpolation;

@@ -96,6 +96,7 @@ impl Formulas<'_> {
             BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_)
                 if is_of_numbers =>
             {
+                self.compares |= !all.is_none();
                 Dependence::None
             }
             op => self.refuse(&all, op, &format!("`{}`", op.to_token_stream()), ADVICE),

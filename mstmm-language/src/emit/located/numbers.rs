@@ -1,9 +1,8 @@
 //! Emits the numbers of a model with locations: coordinates, directions, masses, parameters.
 
 use super::super::Names;
-use super::super::fields::bindings;
 use super::super::system::{number, number_of};
-use crate::ast::{Element, Model, Parameter, place_of, tuple_parts};
+use crate::ast::{Element, Parameter, place_of, tuple_parts};
 use crate::keywords::Dimension;
 use crate::skeleton::{Body, Skeleton, What};
 use proc_macro2::TokenStream;
@@ -11,31 +10,15 @@ use quote::{ToTokens, quote_spanned};
 use syn::Expr;
 use syn::ext::IdentExt;
 
-/// `impl Located`: the numbers in the order of the core's sketch, then the parameters of members.
-pub(super) fn numbers(model: &Model, skeleton: &Skeleton<'_>, names: &Names) -> TokenStream {
-    let private = &names.private;
-    let (name, lets) = (&model.parameters.ident, &model.lets);
-    let bindings = bindings(model, names);
-    let mut numbers = Vec::new();
-    numbers.extend(geometry(skeleton).map(|entry| match entry {
+/// The numbers in the order of the core's sketch, then the parameters of members.
+pub(super) fn numbers(skeleton: &Skeleton<'_>, names: &Names) -> Vec<TokenStream> {
+    let of_sketch = geometry(skeleton).map(|entry| match entry {
         Some(Number::Part(part)) => coordinate(part, names),
         Some(Number::Parameter(parameter)) => number(parameter, names),
         None => zero(names),
-    }));
-    numbers.extend(skeleton.members.iter().flat_map(|member| member_parameters(member.what)).map(|p| number(p, names)));
-    let count = numbers.len();
-    quote_spanned! {names.here=>
-        // not marked as derived: rustc would be silent about a field that nothing uses
-        impl #private::Located for #name {
-            type Numbers = [::core::primitive::f64; #count];
-
-            fn numbers(&self) -> [::core::primitive::f64; #count] {
-                #bindings
-                #(#lets)*
-                [#(#numbers),*]
-            }
-        }
-    }
+    });
+    let of_members = skeleton.members.iter().flat_map(|member| member_parameters(member.what));
+    of_sketch.chain(of_members.map(|parameter| number(parameter, names))).collect()
 }
 
 /// The parameters of what stands between two points.

@@ -1,5 +1,6 @@
 //! Emits the derivatives of a model with locations with respect to its fields: the chain rule from members, places and masses.
 
+use super::super::formulas::of_element;
 use super::super::sensitivity::{fields, variables};
 use super::super::{Names, implement};
 use super::numbers::{Number, geometry};
@@ -41,6 +42,22 @@ pub(super) fn sensitivity(
     let bounds = core::iter::once(plane).chain(gradients).collect();
     let chain = implement("PlaneChain", "Real", bounds, &body, names);
     quote_spanned!(names.here=> #fields #chain)
+}
+
+/// `impl Formulas`: the formulas of all numbers over a box of fields.
+pub(super) fn formulas(
+    model: &Model,
+    skeleton: &Skeleton<'_>,
+    derivatives: &Derivatives,
+    names: &Names,
+) -> TokenStream {
+    if derivatives.are_none() {
+        return TokenStream::new();
+    }
+    let of_sketch = geometry(skeleton).map(|number| formula(number?, derivatives));
+    let of_members = skeleton.members.iter().filter_map(|member| member.what.element());
+    let of_members = of_members.flat_map(|element| of_element(element, derivatives));
+    super::super::formulas::formulas(model, of_sketch.chain(of_members), derivatives, names)
 }
 
 /// What members, places, directions and masses add.

@@ -1,8 +1,8 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
-use super::super::system::{build_functions, fields_of, kept_fields, values_of_fields};
+use super::super::system::{build_functions, fields_of, kept_fields, numbered, values_of_fields};
 use super::super::{Names, implement};
-use super::numbers::{count, geometry};
+use super::numbers::{count, geometry, numbers};
 use super::{answers_of_members, bounds, by_type, field};
 use crate::ast::{Element, Model};
 use crate::keywords::Dimension;
@@ -42,16 +42,15 @@ pub(super) fn definition(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: b
     }
 }
 
-/// `build()`: from the parameters to the skeleton, the members and the estimates of the searches.
+/// `build()`, and how a system is made of the numbers: the skeleton, the members and the estimates of the searches.
 pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let mut place = count(skeleton);
     let members = skeleton.members.iter().enumerate().map(|(index, member)| built(index, member, &mut place, names));
     let kept = values_of_fields(model, keeps_fields, names);
-    let body = quote_spanned! {names.here=>
-        let numbers = #private::Located::numbers(self);
+    let build = quote_spanned! {names.here=>
         let number = |k: ::core::primitive::usize| <#parameter as #private::Scalar>::from_f64(numbers[k]);
-        let skeleton = #private::Skeleton::new(&SKETCH, &numbers)?;
+        let skeleton = #private::Skeleton::new(&SKETCH, numbers)?;
         let mut system = #system {
             #(#members,)*
             #(#kept,)*
@@ -61,11 +60,13 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         };
         #private::Prestressed::describe(&mut system);
     };
+    let numbered = numbered(model, numbers(skeleton, names), &build, names);
     let doc = [
         "Validates all places and parameters and builds the system.",
         "The error names the first place or element with a number out of its range, and the number.",
     ];
-    build_functions(model, doc, (&body, false), names)
+    let functions = build_functions(model, doc, false, names);
+    quote_spanned!(names.here=> #numbered #functions)
 }
 
 /// A built member, with the numbers from a place on: `member_3: build_member::<InPlane<Beam<T>>>(InPlane { .. }, name)?`.
