@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (m, ei) = (0.212058, 33.8703);
     let model = TipBody { length: 1.0, ei, m, mass: m, inertia: m, centre: 0.4, depth: 0.8 };
     let system = model.build()?;
-    for root in &system.first_frequencies::<5>()? {
+    for root in &system.frequencies(5)? {
         println!("{:.10} rad/s, certified to {:.0e}", root.omega, root.upper - root.lower);
     }
     Ok(())

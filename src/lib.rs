@@ -83,6 +83,7 @@ pub mod motion;
 pub use mstmm_core::Complex;
 
 /// [language]: macro@crate::system
+/// [loads]: crate::motion::FrameAnalysis::axial_forces
 #[doc = include_str!("../docs/elements.md")]
 pub use mstmm_core::elements;
 /// Sections in a model, with the sensitivity to a diameter:
@@ -259,6 +260,25 @@ pub mod __private {
 }
 
 /// Declares a model: a struct of parameters and a sketch of the system.
+///
+/// [reference]: #the-language-of-system-reference
+/// [sketches]: #sketches-step-by-step
+/// [no-sensitivity]: #7-fields-without-a-derivative
+/// [sections-example]: #4-sections-what-members-share
+/// [sketch-example]: #8-read-the-model-back
+/// [space-example]: #6-in-space
+/// [signs]: #supports
+/// [frames]: #models-with-locations
+/// [bodies]: #points-and-places
+/// [space]: #three-coordinates
+/// [signs-in-space]: crate::motion::MemberState
+/// [repeated]: mod@crate::list
+/// [from_file]: crate::frame::Frame
+/// [elements]: mod@crate::elements
+/// [wrong]: mod@crate::elements#when-euler-bernoulli-is-wrong
+/// [own]: mod@crate::element
+/// [rotors]: crate::search::Rotor
+#[doc = include_str!("../docs/sketches.md")]
 #[doc = include_str!("../docs/grammar.md")]
 #[macro_export]
 macro_rules! system {
