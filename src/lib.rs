@@ -182,8 +182,8 @@ pub mod search {
     pub use mstmm_core::search::critical_loads;
     pub use mstmm_core::search::*;
     pub use mstmm_core::{
-        Characteristic, Evaluate, Formulas, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Numbered, Rotor,
-        SearchError, SpeedError, Spinning, Spot, System, ToleranceError, Whirl,
+        Build, Characteristic, Evaluate, Formulas, InBlocks, Lanewise, LoadError, ManyFrequencies, Model, Numbered,
+        Rotor, SearchError, SpeedError, Spinning, Spot, System, ToleranceError, Whirl,
     };
 }
 

@@ -137,7 +137,7 @@ pub use pass::drawn_tree::{DrawnPart, DrawnStep, DrawnTree};
 pub use pass::formulas::Enclosing;
 pub use pass::formulas::Formulas;
 pub use pass::inlining::{coefficients, join, root, step};
-pub use pass::model::{Model, Numbered};
+pub use pass::model::{Build, Model, Numbered};
 #[cfg(feature = "std")]
 pub use pass::network::Vectors;
 pub use pass::network::{

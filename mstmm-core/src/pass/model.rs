@@ -7,9 +7,6 @@ use crate::number::{Parameter, Real};
 ///
 /// `system!` implements it.
 pub trait Numbered {
-    /// The built system over parameters of a type.
-    type System<T: Parameter>;
-
     /// Room for the numbers.
     #[doc(hidden)]
     type Numbers: AsRef<[f64]> + AsMut<[f64]> + Copy;
@@ -17,6 +14,14 @@ pub trait Numbered {
     /// The numbers of the model.
     #[doc(hidden)]
     fn numbers(&self) -> Self::Numbers;
+}
+
+/// A model that builds a system of its numbers, or of others in their place.
+///
+/// `system!` implements it.
+pub trait Build: Numbered {
+    /// The built system over parameters of a type.
+    type System<T: Parameter>;
 
     /// Validates numbers and builds the system of them; what else a system keeps is that of this model.
     #[doc(hidden)]
@@ -24,12 +29,15 @@ pub trait Numbered {
 }
 
 impl<M: Numbered> Numbered for &M {
-    type System<T: Parameter> = M::System<T>;
     type Numbers = M::Numbers;
 
     fn numbers(&self) -> M::Numbers {
         (*self).numbers()
     }
+}
+
+impl<M: Build> Build for &M {
+    type System<T: Parameter> = M::System<T>;
 
     fn build_of<T: Real>(&self, numbers: &M::Numbers) -> Result<M::System<T>, ParameterError> {
         (*self).build_of(numbers)
@@ -45,7 +53,7 @@ impl<M: Numbered> Numbered for &M {
     note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`",
     note = "a model with places is built and searched by itself, and so is a rotor, whose whirls are searched: `campbell` takes many speeds"
 )]
-pub trait Model: Numbered {
+pub trait Model: Build {
     /// The system of such numbers, without estimates; what else a system keeps is that of this model.
     #[doc(hidden)]
     fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<Self::System<T>, ParameterError>;

@@ -65,7 +65,7 @@ pub(super) fn formulas<'d>(
                 &self,
                 numbers: &Self::Numbers,
             ) -> ::core::result::Result<#system, #private::ParameterError> {
-                #private::Numbered::build_of(self, numbers)
+                #private::Build::build_of(self, numbers)
             }
 
             #[inline]

@@ -43,6 +43,7 @@ pub(crate) fn located(
     let parameters = parameters(model);
     let keeps_fields = !derivatives.are_none();
     let definition = system::definition(model, skeleton, keeps_fields, &names);
+    let numbered = super::system::numbered(model, &numbers::numbers(skeleton, &names), &names);
     let labels = labels::labels(model, &names);
     let points = points::points(model, skeleton, &names);
     let sketch = sketch::sketch(skeleton, &names);
@@ -64,6 +65,9 @@ pub(crate) fn located(
     Ok(quote_spanned! {names.here=>
         #parameters
         #definition
+        // what the user wrote sees no name of the code below
+        #numbered
+        #formulas
         const _: () = {
             #labels
             #points
@@ -78,7 +82,6 @@ pub(crate) fn located(
             #motions
             #overall
             #sensitivity
-            #formulas
             #searched
             #unused
         };

@@ -54,6 +54,7 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
         #system
         #constants
         #sensitivity
+        #formulas
         const _: () = {
             #labels
             #layout
@@ -64,7 +65,6 @@ pub(crate) fn model(model: &Model, unused: &[Ident], plan: &Plan<'_>, derivative
             #tree
             #drawn
             #unused
-            #formulas
             #rotor
             #searched
         };

@@ -158,14 +158,14 @@ pub(super) fn build_functions(model: &Model, doc: [&str; 2], spins: bool, names:
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#built_as, #private::ParameterError> {
-                let system = #private::Numbered::build_of(self, &#private::Numbered::numbers(self))?;
+                let system = #private::Build::build_of(self, &#private::Numbered::numbers(self))?;
                 ::core::result::Result::Ok(#result)
             }
         }
     }
 }
 
-/// `impl Numbered` and `impl Model`: the numbers of all elements, and the struct of elements from numbers of any type. A rotor is no model of sweeps, since these ask one system.
+/// `impl Numbered`, `impl Build` and `impl Model`: the numbers of all elements, and the struct of elements from numbers of any type. A rotor is no model of sweeps, since these ask one system.
 fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let name = &model.parameters.ident;
@@ -192,9 +192,10 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
         #estimates
     };
     let numbers = plan.elements.iter().flat_map(|element| element.parameters());
-    let numbers = numbers.map(|parameter| number(parameter, names)).collect();
-    let numbered = numbered(model, numbers, &build, names);
-    quote_spanned!(names.here=> #numbered #of_model)
+    let numbers: Vec<_> = numbers.map(|parameter| number(parameter, names)).collect();
+    let numbered = numbered(model, &numbers, names);
+    let build_of = build_of(model, &build, names);
+    quote_spanned!(names.here=> #numbered #build_of #of_model)
 }
 
 /// The struct of built elements, given a `number` of each place.
@@ -228,15 +229,14 @@ fn estimates(plan: &Plan<'_>, names: &Names) -> TokenStream {
     quote_spanned!(names.here=> #(#estimates)* system.estimates.finish();)
 }
 
-/// `impl Numbered`, given all numbers, and what builds a `system` of them.
-pub(super) fn numbered(model: &Model, numbers: Vec<TokenStream>, build: &TokenStream, names: &Names) -> TokenStream {
-    let Names { private, system, parameter, .. } = names;
+/// `impl Numbered`, given all numbers.
+pub(super) fn numbered(model: &Model, numbers: &[TokenStream], names: &Names) -> TokenStream {
+    let private = &names.private;
     let (name, lets, count) = (&model.parameters.ident, &model.lets, numbers.len());
     let bindings = bindings(model, names);
     quote_spanned! {names.here=>
         // not marked as derived: rustc would be silent about a field that nothing uses
         impl #private::Numbered for #name {
-            type System<#parameter: #private::Parameter> = #system<#parameter>;
             type Numbers = [::core::primitive::f64; #count];
 
             fn numbers(&self) -> [::core::primitive::f64; #count] {
@@ -244,10 +244,22 @@ pub(super) fn numbered(model: &Model, numbers: Vec<TokenStream>, build: &TokenSt
                 #(#lets)*
                 [#(#numbers),*]
             }
+        }
+    }
+}
+
+/// `impl Build`, given what builds a `system` of numbers.
+pub(super) fn build_of(model: &Model, build: &TokenStream, names: &Names) -> TokenStream {
+    let Names { private, system, parameter, .. } = names;
+    let name = &model.parameters.ident;
+    quote_spanned! {names.here=>
+        #[automatically_derived]
+        impl #private::Build for #name {
+            type System<#parameter: #private::Parameter> = #system<#parameter>;
 
             fn build_of<#parameter: #private::Real>(
                 &self,
-                numbers: &[::core::primitive::f64; #count],
+                numbers: &Self::Numbers,
             ) -> ::core::result::Result<#system<#parameter>, #private::ParameterError> {
                 #build
                 ::core::result::Result::Ok(system)

@@ -79,7 +79,7 @@ impl DampedMass {
     pub fn build_as<T: mstmm::__private::Real>(
         &self,
     ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
-        let system = mstmm::__private::Numbered::build_of(
+        let system = mstmm::__private::Build::build_of(
             self,
             &mstmm::__private::Numbered::numbers(self),
         )?;
@@ -87,7 +87,6 @@ impl DampedMass {
     }
 }
 impl mstmm::__private::Numbered for DampedMass {
-    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
     type Numbers = [::core::primitive::f64; 3usize];
     fn numbers(&self) -> [::core::primitive::f64; 3usize] {
         let stiffness = self.stiffness;
@@ -108,9 +107,13 @@ impl mstmm::__private::Numbered for DampedMass {
             },
         ]
     }
+}
+#[automatically_derived]
+impl mstmm::__private::Build for DampedMass {
+    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
     fn build_of<T: mstmm::__private::Real>(
         &self,
-        numbers: &[::core::primitive::f64; 3usize],
+        numbers: &Self::Numbers,
     ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
         let mut system = mstmm::__private::Model::of_numbers(
             self,
@@ -266,6 +269,49 @@ where
             chain.add(gradient.mass, values.0);
         }
         chain.finish()
+    }
+}
+#[automatically_derived]
+impl mstmm::__private::Formulas for DampedMass {
+    type Built = DampedMassSystem;
+    const COMPARES: ::core::primitive::bool = false;
+    #[inline]
+    fn values(
+        &self,
+    ) -> <DampedMassSystem as mstmm::__private::Fields>::PerField<
+        ::core::primitive::f64,
+    > {
+        [self.stiffness, self.damping, self.mass]
+    }
+    #[inline]
+    fn built(
+        &self,
+        numbers: &Self::Numbers,
+    ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
+        mstmm::__private::Build::build_of(self, numbers)
+    }
+    #[inline]
+    fn enclose(
+        &self,
+        fields: &<DampedMassSystem as mstmm::__private::Fields>::PerField<
+            mstmm::__private::Interval,
+        >,
+        take: &mut dyn ::core::ops::FnMut(
+            ::core::primitive::usize,
+            mstmm::__private::Interval,
+            &[mstmm::__private::Interval],
+        ),
+    ) {
+        let mut chain = mstmm::__private::Enclosing::new(fields);
+        let stiffness = chain.variable();
+        let damping = chain.variable();
+        let mass = chain.variable();
+        let number = stiffness;
+        take(0usize, number.value, &number.partials);
+        let number = damping;
+        take(1usize, number.value, &number.partials);
+        let number = mass;
+        take(2usize, number.value, &number.partials);
     }
 }
 const _: () = {
@@ -630,49 +676,6 @@ const _: () = {
                     _ => return ::core::option::Option::None,
                 },
             )
-        }
-    }
-    #[automatically_derived]
-    impl mstmm::__private::Formulas for DampedMass {
-        type Built = DampedMassSystem;
-        const COMPARES: ::core::primitive::bool = false;
-        #[inline]
-        fn values(
-            &self,
-        ) -> <DampedMassSystem as mstmm::__private::Fields>::PerField<
-            ::core::primitive::f64,
-        > {
-            [self.stiffness, self.damping, self.mass]
-        }
-        #[inline]
-        fn built(
-            &self,
-            numbers: &Self::Numbers,
-        ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
-            mstmm::__private::Numbered::build_of(self, numbers)
-        }
-        #[inline]
-        fn enclose(
-            &self,
-            fields: &<DampedMassSystem as mstmm::__private::Fields>::PerField<
-                mstmm::__private::Interval,
-            >,
-            take: &mut dyn ::core::ops::FnMut(
-                ::core::primitive::usize,
-                mstmm::__private::Interval,
-                &[mstmm::__private::Interval],
-            ),
-        ) {
-            let mut chain = mstmm::__private::Enclosing::new(fields);
-            let stiffness = chain.variable();
-            let damping = chain.variable();
-            let mass = chain.variable();
-            let number = stiffness;
-            take(0usize, number.value, &number.partials);
-            let number = damping;
-            take(1usize, number.value, &number.partials);
-            let number = mass;
-            take(2usize, number.value, &number.partials);
         }
     }
     #[automatically_derived]

@@ -47,6 +47,114 @@ pub struct MastSystem<T: mstmm::__private::Parameter = f64> {
     geometry: [::core::primitive::f64; 10usize],
     estimates: mstmm::__private::FrequencyEstimates,
 }
+impl mstmm::__private::Numbered for Mast {
+    type Numbers = [::core::primitive::f64; 14usize];
+    fn numbers(&self) -> [::core::primitive::f64; 14usize] {
+        let height = self.height;
+        let stiffness = self.stiffness;
+        let lamp = self.lamp;
+        [
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.5 * height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = lamp;
+                number
+            },
+            0.0,
+            {
+                let number: ::core::primitive::f64 = 0.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = height;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 1e6;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 500.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = 2.0;
+                number
+            },
+            {
+                let number: ::core::primitive::f64 = stiffness;
+                number
+            },
+        ]
+    }
+}
+#[automatically_derived]
+impl mstmm::__private::Formulas for Mast {
+    type Built = MastSystem;
+    const COMPARES: ::core::primitive::bool = false;
+    #[inline]
+    fn values(
+        &self,
+    ) -> <MastSystem as mstmm::__private::Fields>::PerField<::core::primitive::f64> {
+        [self.height, self.stiffness, self.lamp]
+    }
+    #[inline]
+    fn built(
+        &self,
+        numbers: &Self::Numbers,
+    ) -> ::core::result::Result<MastSystem, mstmm::__private::ParameterError> {
+        mstmm::__private::Build::build_of(self, numbers)
+    }
+    #[inline]
+    fn enclose(
+        &self,
+        fields: &<MastSystem as mstmm::__private::Fields>::PerField<
+            mstmm::__private::Interval,
+        >,
+        take: &mut dyn ::core::ops::FnMut(
+            ::core::primitive::usize,
+            mstmm::__private::Interval,
+            &[mstmm::__private::Interval],
+        ),
+    ) {
+        let mut chain = mstmm::__private::Enclosing::new(fields);
+        let height = chain.variable();
+        let stiffness = chain.variable();
+        let lamp = chain.variable();
+        let number = height;
+        take(3usize, number.value, &number.partials);
+        let number = 0.5 * height;
+        take(4usize, number.value, &number.partials);
+        let number = lamp;
+        take(6usize, number.value, &number.partials);
+        let number = height;
+        take(9usize, number.value, &number.partials);
+        let number = stiffness;
+        take(13usize, number.value, &number.partials);
+    }
+}
 const _: () = {
     const _: () = {
         #[allow(dead_code, non_snake_case)]
@@ -207,72 +315,12 @@ const _: () = {
     const ORDER: &mstmm::__private::OrderRoom<3usize, 2usize> = &mstmm::__private::OrderRoom::of(
         SKETCH.pairs(),
     );
-    impl mstmm::__private::Numbered for Mast {
+    #[automatically_derived]
+    impl mstmm::__private::Build for Mast {
         type System<T: mstmm::__private::Parameter> = MastSystem<T>;
-        type Numbers = [::core::primitive::f64; 14usize];
-        fn numbers(&self) -> [::core::primitive::f64; 14usize] {
-            let height = self.height;
-            let stiffness = self.stiffness;
-            let lamp = self.lamp;
-            [
-                {
-                    let number: ::core::primitive::f64 = 0.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 0.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 0.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = height;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 0.5 * height;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 0.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = lamp;
-                    number
-                },
-                0.0,
-                {
-                    let number: ::core::primitive::f64 = 0.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = height;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 1e6;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 500.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = 2.0;
-                    number
-                },
-                {
-                    let number: ::core::primitive::f64 = stiffness;
-                    number
-                },
-            ]
-        }
         fn build_of<T: mstmm::__private::Real>(
             &self,
-            numbers: &[::core::primitive::f64; 14usize],
+            numbers: &Self::Numbers,
         ) -> ::core::result::Result<MastSystem<T>, mstmm::__private::ParameterError> {
             let number = |k: ::core::primitive::usize| <T as mstmm::__private::Scalar>::from_f64(
                 numbers[k],
@@ -332,7 +380,7 @@ const _: () = {
         pub fn build_as<T: mstmm::__private::Real>(
             &self,
         ) -> ::core::result::Result<MastSystem<T>, mstmm::__private::ParameterError> {
-            let system = mstmm::__private::Numbered::build_of(
+            let system = mstmm::__private::Build::build_of(
                 self,
                 &mstmm::__private::Numbered::numbers(self),
             )?;
@@ -738,51 +786,6 @@ const _: () = {
             chain.add(slopes[6usize], numbers.2);
             chain.add(slopes[9usize], numbers.3);
             chain.finish()
-        }
-    }
-    #[automatically_derived]
-    impl mstmm::__private::Formulas for Mast {
-        type Built = MastSystem;
-        const COMPARES: ::core::primitive::bool = false;
-        #[inline]
-        fn values(
-            &self,
-        ) -> <MastSystem as mstmm::__private::Fields>::PerField<::core::primitive::f64> {
-            [self.height, self.stiffness, self.lamp]
-        }
-        #[inline]
-        fn built(
-            &self,
-            numbers: &Self::Numbers,
-        ) -> ::core::result::Result<MastSystem, mstmm::__private::ParameterError> {
-            mstmm::__private::Numbered::build_of(self, numbers)
-        }
-        #[inline]
-        fn enclose(
-            &self,
-            fields: &<MastSystem as mstmm::__private::Fields>::PerField<
-                mstmm::__private::Interval,
-            >,
-            take: &mut dyn ::core::ops::FnMut(
-                ::core::primitive::usize,
-                mstmm::__private::Interval,
-                &[mstmm::__private::Interval],
-            ),
-        ) {
-            let mut chain = mstmm::__private::Enclosing::new(fields);
-            let height = chain.variable();
-            let stiffness = chain.variable();
-            let lamp = chain.variable();
-            let number = height;
-            take(3usize, number.value, &number.partials);
-            let number = 0.5 * height;
-            take(4usize, number.value, &number.partials);
-            let number = lamp;
-            take(6usize, number.value, &number.partials);
-            let number = height;
-            take(9usize, number.value, &number.partials);
-            let number = stiffness;
-            take(13usize, number.value, &number.partials);
         }
     }
     #[automatically_derived]

@@ -1,8 +1,8 @@
 //! Emits the built system of a model with locations, `build()`, and its traits.
 
-use super::super::system::{build_functions, fields_of, kept_fields, numbered, values_of_fields};
+use super::super::system::{build_functions, build_of, fields_of, kept_fields, values_of_fields};
 use super::super::{Names, implement};
-use super::numbers::{count, geometry, numbers};
+use super::numbers::{count, geometry};
 use super::{answers_of_members, bounds, by_type, field};
 use crate::ast::{Element, Model};
 use crate::keywords::Dimension;
@@ -60,13 +60,13 @@ pub(super) fn build(model: &Model, skeleton: &Skeleton<'_>, keeps_fields: bool, 
         };
         #private::Prestressed::describe(&mut system);
     };
-    let numbered = numbered(model, numbers(skeleton, names), &build, names);
+    let build_of = build_of(model, &build, names);
     let doc = [
         "Validates all places and parameters and builds the system.",
         "The error names the first place or element with a number out of its range, and the number.",
     ];
     let functions = build_functions(model, doc, false, names);
-    quote_spanned!(names.here=> #numbered #functions)
+    quote_spanned!(names.here=> #build_of #functions)
 }
 
 /// A built member, with the numbers from a place on: `member_3: build_member::<InPlane<Beam<T>>>(InPlane { .. }, name)?`.
