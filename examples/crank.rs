@@ -85,9 +85,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let load = Crank::conn_handle.force_y();
     let deflection = crank.frequency_response(load, Crank::conn_handle.displacement_y())?;
     let torque = crank.frequency_response(load, Crank::beam_1.input().torque())?;
-    for hertz in [0.0, 10.0, 20.0, 25.0, 30.0, 40.0] {
-        let i_omega = Complex::new(0.0, hertz * std::f64::consts::TAU);
-        println!("{hertz:6} {:13.6} {:16.6}", 1e3 * deflection.at(i_omega)?.norm(), torque.at(i_omega)?.norm());
+    for frequency in [0.0, 10.0, 20.0, 25.0, 30.0, 40.0] {
+        let (deflection, torque) = (deflection.at_hertz(frequency)?.norm(), torque.at_hertz(frequency)?.norm());
+        println!("{frequency:6} {:13.6} {torque:16.6}", 1e3 * deflection);
     }
     draw(&crank)
 }

@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("\nThe machine runs at 25 Hz: frequencies below, and the two beside it, by its place on the girder");
     println!("x [m]   below   next below [Hz]   next above [Hz]");
-    let speed = 25.0 * std::f64::consts::TAU;
+    let speed = hertz(25.0);
     for quarter in 1..16 {
         let machine_x = 0.25 * f64::from(quarter);
         let system = Portal { machine_x, ..portal }.build()?;
@@ -108,8 +108,8 @@ fn show_shape(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
 fn show_response(system: &PortalSystem) -> Result<(), Box<dyn Error>> {
     let deflection = system.frequency_response(Portal::conn_girder.force_y(), Portal::conn_girder.displacement_y())?;
     println!("\nDeflection of the girder per kN at the machine");
-    for hertz in [0.0, 10.0, 20.0, 25.0, 30.0] {
-        println!("{hertz:5} Hz {:10.6} mm", 1e6 * deflection.at(hertz * std::f64::consts::TAU)?);
+    for frequency in [0.0, 10.0, 20.0, 25.0, 30.0] {
+        println!("{frequency:5} Hz {:10.6} mm", 1e6 * deflection.at(hertz(frequency))?);
     }
     Ok(())
 }

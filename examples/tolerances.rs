@@ -3,10 +3,8 @@
 //! `cargo run --example tolerances -- --svg ranges.svg` draws the ranges.
 
 use mstmm::prelude::*;
-use mstmm::search::ToleranceBox;
 use mstmm_drawing::ModeDiagram;
 use std::error::Error;
-use std::f64::consts::TAU;
 
 system! {
     /// A portal with a machine at a corner.
@@ -49,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{:6} {:13.4} {:14.4}", number + 1, range.lowest.hertz(), range.highest.hertz());
     }
     for (from, to) in [(10.0, 20.0), (8.0, 12.0)] {
-        let is_free = lot.is_free_of(from * TAU..=to * TAU)?;
+        let is_free = lot.is_free_of(hertz(from)..=hertz(to))?;
         let word = if is_free { "no portal of the lot has" } else { "a portal of the lot may have" };
         println!("{from} to {to} Hz: {word} a frequency there");
     }

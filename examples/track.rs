@@ -60,8 +60,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("mode {}: {:9.4} Hz, the rail moves by {part:8.5} of the wheel", k + 1, root.hertz());
     }
     println!("\nfrequency [Hz]  rail under a wheel of 1 N [nm]");
-    for hertz in [0.0, 30.0, 60.0, 80.0] {
-        println!("{hertz:14.1}  {:9.5}", 1e9 * response.at(TAU * hertz)?);
+    for frequency in [0.0, 30.0, 60.0, 80.0] {
+        println!("{frequency:14.1}  {:9.5}", 1e9 * response.at(hertz(frequency))?);
     }
     Ok(())
 }

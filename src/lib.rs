@@ -80,7 +80,7 @@
 
 pub mod motion;
 
-pub use mstmm_core::Complex;
+pub use mstmm_core::{Complex, hertz};
 
 /// [language]: macro@crate::system
 /// [loads]: crate::motion::FrameAnalysis::axial_forces
@@ -249,7 +249,7 @@ pub mod prelude {
         Between, Characteristic, Eigenvalue, Eigenvalues, Evaluate, ManyFrequencies, NaturalFrequencies,
         NaturalFrequency, Region, Spectrum, Sweep, ToleranceBox, Undamped, Whirl, fmin1d, fmin2d,
     };
-    pub use crate::{Complex, system};
+    pub use crate::{Complex, hertz, system};
 }
 
 /// What emitted code uses; not for use by hand.

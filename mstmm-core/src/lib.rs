@@ -106,6 +106,7 @@ pub use model::speed_error::SpeedError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use model::tolerance_error::ToleranceError;
 pub use model::truncation_error::TruncationError;
+pub use model::turns::hertz;
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,
 };

@@ -4,7 +4,7 @@ use mstmm_core::MotionError;
 use std::io;
 
 /// A model, or a motion, that cannot be drawn.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
     /// There is no point and no member; of a diagram no frequency or no speed.
@@ -58,4 +58,11 @@ pub enum DrawingError {
     /// The file refuses.
     #[error("the file cannot be written: {0}")]
     Io(#[from] io::Error),
+}
+
+/// Its text, so that a program whose `main` returns it prints a sentence.
+impl std::fmt::Debug for DrawingError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }

@@ -3,7 +3,7 @@
 use std::io;
 
 /// A file that could not be written, or not as its format asks.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum FileError {
     /// The file refuses.
@@ -114,4 +114,11 @@ pub enum FileError {
         /// The name.
         name: String,
     },
+}
+
+/// Its text, so that a program whose `main` returns it prints a sentence.
+impl std::fmt::Debug for FileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        std::fmt::Display::fmt(self, f)
+    }
 }

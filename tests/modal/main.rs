@@ -7,6 +7,7 @@ mod boxes;
 mod damping;
 mod dislocations;
 mod fields;
+mod in_hertz;
 mod models;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]

@@ -22,6 +22,7 @@ mod levers;
 mod macro_equals_list;
 mod once_wrong;
 mod oracles;
+mod own_weight;
 mod planar_chain;
 mod proportional_damping;
 mod random_trees;

@@ -287,6 +287,7 @@ fn without_taper_the_beam_is_the_uniform_one() {
             height_taper: 0.0,
             rotary_inertia,
             axial_force,
+            axial_load: 0.0,
             rotation_speed: 0.0,
             hub_radius: 0.0,
             setting_angle: 0.0,

@@ -4,13 +4,14 @@ use crate::answer::at_rest::{AtRest, Part};
 use crate::answer::facts::Facts;
 use crate::answer::root::is_below_losses;
 use crate::answer::spread_load::{Work, response};
-use crate::model::{Acting, Entry, Load, MotionError, Spread};
+use crate::model::{Acting, Entry, Load, MotionError, Spread, hertz};
 use crate::number::{Oscillation, Scalar};
 use crate::pass::both_ways::Passes;
 use crate::pass::characteristic::System;
 use crate::pass::route::{Place, Route};
 use crate::pass::tree::{ExtendedTree, Planned, Tree};
 use mstmm_plan::Coordinate;
+use num_complex::Complex;
 use num_traits::{One, Zero};
 
 /// Size of Δ at rest, in roundings of Δ at low frequencies, up to which it counts as zero.
@@ -49,6 +50,21 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         let is_of_ground = matches!(self.spread, Some(Spread::Inertia(_)));
         let along = is_of_ground.then_some(is_along);
         Facts { along, ..Facts::of(*system, is_motion, entry.coordinate.is_force()) }
+    }
+
+    /// The response to a steady vibration of a frequency \[Hz\], by its amplitude and its phase: [`at`](FrequencyResponse::at) `λ = 2π f i`.
+    ///
+    /// # Errors
+    /// As [`at`](FrequencyResponse::at).
+    pub fn at_hertz(
+        &self,
+        frequency: <Y as System>::Parameter,
+    ) -> Result<Complex<<Y as System>::Parameter>, MotionError>
+    where
+        Y: ExtendedTree<Complex<<Y as System>::Parameter>>,
+        Complex<<Y as System>::Parameter>: Oscillation<<Y as System>::Parameter>,
+    {
+        self.at(Complex::new(Scalar::from_f64(0.0), hertz(frequency)))
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration.

@@ -1,11 +1,12 @@
 //! The modal assurance criterion: how far two shapes are one.
 
+use crate::model::error;
 use crate::number::{Scalar, binary_exponent};
 use core::fmt;
 use num_complex::Complex;
 
 /// Why two shapes cannot be compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MacError {
     /// The shapes have no entries.
@@ -47,7 +48,7 @@ impl fmt::Display for MacError {
     }
 }
 
-impl core::error::Error for MacError {}
+error! { MacError }
 
 /// The modal assurance criterion `|φᴴψ|²/(φᴴφ · ψᴴψ)` of two shapes at the same points: 1 where one is a multiple of the other, by a complex
 /// factor too, and 0 where they are orthogonal.

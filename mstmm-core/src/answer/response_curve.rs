@@ -28,7 +28,7 @@ pub struct Sample<T, S> {
 impl<T: Real, S> Sample<T, S> {
     /// Frequency `ω/2π` in hertz.
     pub fn hertz(&self) -> T {
-        turns::hertz(self.omega)
+        turns::in_hertz(self.omega)
     }
 }
 

@@ -90,6 +90,8 @@ pub struct TaperedNumbers {
     pub(crate) height_taper: Exact,
     pub(crate) rotary_inertia: Exact,
     pub(crate) axial_force: Exact,
+    /// Per length, towards the output end.
+    pub(crate) axial_load: Exact,
     pub(crate) rotation_speed: Exact,
     pub(crate) hub_radius: Exact,
     pub(crate) setting_angle: Exact,

@@ -198,7 +198,7 @@ elements! {
         Rod { length, axial_stiffness, mass_per_length, foundation_stiffness }
         Shaft { length, torsional_stiffness, inertia_per_length }
         TaperedBeam {
-            length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, axial_force, rotation_speed,
+            length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, axial_force, axial_load, rotation_speed,
             hub_radius, setting_angle, foundation_stiffness
         }
     }

@@ -22,7 +22,7 @@ mod walk;
 /// Beam whose width and height vary evenly along it, as wedges, blades and masts do, exact at every frequency.
 ///
 /// At the distance x from the input end the section has the width `b = 1 - c_b x/l` and the height `h = 1 - c_h x/l`, as parts of those at
-/// the input end, so that `EI ~ b h³`, `m ~ b h` and the rotary inertia `r ~ b h³`. With `N(x) = N_l + Ω² ∫_x^l m (R + ξ) dξ`,
+/// the input end, so that `EI ~ b h³`, `m ~ b h` and the rotary inertia `r ~ b h³`. With `N(x) = N_l + p (l - x) + Ω² ∫_x^l m (R + ξ) dξ`,
 /// `g = N + r λ²` and `q = -m (λ² - Ω² sin² ψ) - k` the state obeys
 ///
 /// ```text
@@ -60,6 +60,9 @@ pub struct TaperedBeam<T> {
     pub rotary_inertia: T,
     /// Axial force `N_l` at the output end \[N\], positive in tension.
     pub axial_force: T,
+    /// Axial load p per length [N/m], towards the output end: it adds `p (l - x)` to the axial force. A column that stands on its input end has the negative of its weight per
+    /// length.
+    pub axial_load: T,
     /// Speed of rotation Ω [rad/s], zero or positive.
     pub rotation_speed: T,
     /// Position R of the input end from the axis of rotation \[m\], negative where the beam points towards the axis.
@@ -95,6 +98,7 @@ impl<T: Parameter> Element for TaperedBeam<T> {
         TAPERS.check("height_taper", self.height_taper)?;
         Requirement::NonNegative.check("rotary_inertia", self.rotary_inertia)?;
         Requirement::Finite.check("axial_force", self.axial_force)?;
+        Requirement::Finite.check("axial_load", self.axial_load)?;
         Requirement::NonNegative.check("rotation_speed", self.rotation_speed)?;
         Requirement::Finite.check("hub_radius", self.hub_radius)?;
         Requirement::Finite.check("setting_angle", self.setting_angle)?;
@@ -142,6 +146,7 @@ impl<T: Parameter> Element for TaperedBeam<T> {
             height_taper: beam.height_taper,
             rotary_inertia: beam.rotary_inertia,
             axial_force: beam.axial_force,
+            axial_load: beam.axial_load,
             rotation_speed: beam.rotation_speed,
             hub_radius: beam.hub_radius,
             setting_angle: beam.setting_angle,
@@ -161,6 +166,7 @@ impl<T: Parameter> TaperedBeam<T> {
             height_taper: to(self.height_taper),
             rotary_inertia: to(self.rotary_inertia),
             axial_force: to(self.axial_force),
+            axial_load: to(self.axial_load),
             rotation_speed: to(self.rotation_speed),
             hub_radius: to(self.hub_radius),
             setting_angle: to(self.setting_angle),
@@ -227,6 +233,7 @@ impl super::laws::Sample for TaperedBeam<f64> {
             height_taper: (next() - 1.25) * 0.4,
             rotary_inertia: next() * 0.005,
             axial_force: (next() - 1.25) * 0.5,
+            axial_load: (next() - 1.25) * 0.3,
             rotation_speed: next(),
             hub_radius: next(),
             setting_angle: next() * 0.2,
@@ -244,7 +251,7 @@ impl super::laws::Sample for TaperedBeam<f64> {
     }
 
     fn untied(self) -> Self {
-        TaperedBeam { axial_force: 0.0, rotation_speed: 0.0, foundation_stiffness: 0.0, ..self }
+        TaperedBeam { axial_force: 0.0, axial_load: 0.0, rotation_speed: 0.0, foundation_stiffness: 0.0, ..self }
     }
 }
 

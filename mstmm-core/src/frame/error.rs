@@ -1,6 +1,7 @@
 //! Frames that cannot be built: all that is wrong with one, in the words of its names.
 
 use crate::model::InvalidParameter;
+use crate::model::error;
 use crate::pass::network::NetworkError;
 use core::fmt;
 use core::ops::Deref;
@@ -214,7 +215,7 @@ impl Mistake {
 }
 
 /// One thing that is wrong with a frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct BuildError {
     /// The part: its name, or its number.
     pub part: String,
@@ -228,10 +229,10 @@ impl fmt::Display for BuildError {
     }
 }
 
-impl core::error::Error for BuildError {}
+error! { BuildError }
 
 /// All that is wrong with a frame, at least one thing.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct BuildErrors(pub(crate) Vec<BuildError>);
 
 impl Deref for BuildErrors {
@@ -251,7 +252,7 @@ impl fmt::Display for BuildErrors {
     }
 }
 
-impl core::error::Error for BuildErrors {}
+error! { BuildErrors }
 
 impl Mistake {
     /// What a network says against a member or a node.

@@ -1,5 +1,6 @@
 //! The section of a beam or a string: parameters by name. A parameter that is not named is absent.
 
+use crate::model::error;
 use core::fmt;
 
 /// Declares the parameters of a section.
@@ -161,7 +162,7 @@ pub(crate) fn name_of(parameter: Parameter) -> &'static str {
 }
 
 /// A name that no parameter of a section has.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 pub struct UnknownParameter {
     /// The name.
     pub name: std::string::String,
@@ -178,4 +179,4 @@ impl fmt::Display for UnknownParameter {
     }
 }
 
-impl core::error::Error for UnknownParameter {}
+error! { UnknownParameter }

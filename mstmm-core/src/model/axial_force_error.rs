@@ -2,11 +2,12 @@
 
 use crate::model::error::ParameterError;
 use crate::model::motion_error::MotionError;
+use crate::model::plain::error;
 use crate::model::search_error::Spot;
 use core::fmt;
 
 /// Why the axial forces under loads cannot stiffen or soften a structure.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum AxialForceError {
     /// A member that carries an axial force and has no parameter for it.
@@ -108,4 +109,4 @@ impl fmt::Display for AxialForceError {
     }
 }
 
-impl core::error::Error for AxialForceError {}
+error! { AxialForceError }

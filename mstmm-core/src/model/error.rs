@@ -1,6 +1,7 @@
 //! Parameters out of their ranges: errors carry the numbers that caused them.
 
 use crate::model::member_plane::PARALLEL;
+use crate::model::plain::error;
 use crate::number::{Parameter, binary_exponent};
 use core::fmt;
 
@@ -95,7 +96,7 @@ fn rounding(operations: u32, scale: f64) -> f64 {
 }
 
 /// A parameter out of its range, as an element sees it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct InvalidParameter {
     /// Name of the parameter.
     pub parameter: &'static str,
@@ -127,7 +128,7 @@ impl fmt::Display for InvalidParameter {
     }
 }
 
-impl core::error::Error for InvalidParameter {}
+error! { InvalidParameter }
 
 /// A number in messages: with an exponent where it would have many digits.
 pub(crate) struct Readable(pub(crate) f64);
@@ -215,7 +216,7 @@ impl Requirement {
 }
 
 /// A parameter of a model out of its range.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct ParameterError {
     /// Keyword and label of the element, as in the model.
     pub element: &'static str,
@@ -248,7 +249,7 @@ impl fmt::Display for ParameterError {
     }
 }
 
-impl core::error::Error for ParameterError {}
+error! { ParameterError }
 
 #[cfg(test)]
 mod tests {

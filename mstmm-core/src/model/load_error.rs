@@ -1,10 +1,11 @@
 //! Errors of searches for critical loads.
 
+use crate::model::plain::error;
 use crate::model::{ParameterError, SearchError, ToleranceError};
 use core::fmt;
 
 /// A search for critical loads that cannot start or cannot return all it found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LoadError {
     /// The model of a load factor has a parameter out of its range.
@@ -46,7 +47,7 @@ impl fmt::Display for LoadError {
     }
 }
 
-impl core::error::Error for LoadError {}
+error! { LoadError }
 
 impl From<SearchError> for LoadError {
     fn from(error: SearchError) -> Self {

@@ -40,7 +40,7 @@ pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread};
 pub(crate) use load_error::LoadError;
 pub(crate) use member_plane::{MemberPlane, Skew, across, up_of};
 pub(crate) use motion_error::MotionError;
-pub(crate) use plain::plain;
+pub(crate) use plain::{error, plain};
 pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,
     Tied,
@@ -54,3 +54,4 @@ pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation
 pub(crate) use tensor::{Tensor, definite, least_moment};
 pub(crate) use tolerance_error::ToleranceError;
 pub(crate) use truncation_error::TruncationError;
+pub(crate) use turns::hertz;

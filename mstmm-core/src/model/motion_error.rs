@@ -1,11 +1,12 @@
 //! Errors of questions about motions.
 
+use crate::model::plain::error;
 use crate::model::search_error::Spot;
 use core::fmt;
 use mstmm_plan::{Coordinate, Freedoms};
 
 /// The reason why a motion cannot be given.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum MotionError {
     /// The root has several shapes.
@@ -363,4 +364,4 @@ fn motion_name(freedom: Freedoms) -> &'static str {
     }
 }
 
-impl core::error::Error for MotionError {}
+error! { MotionError }

@@ -1,4 +1,4 @@
-//! What labels, loads and entries are beside their model: plain values, which are copied and printed.
+//! What labels, loads and entries are beside their model: plain values, which are copied and printed; and errors, which are printed as their text.
 
 /// Copies and prints a value whatever the model is.
 macro_rules! plain {
@@ -18,4 +18,17 @@ macro_rules! plain {
         }
     };
 }
-pub(crate) use plain;
+/// Makes a type an error whose `Debug` is its text, so that a program whose `main` returns it prints a sentence.
+macro_rules! error {
+    ($name:ident) => {
+        impl core::error::Error for $name {}
+
+        impl core::fmt::Debug for $name {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                core::fmt::Display::fmt(self, f)
+            }
+        }
+    };
+}
+
+pub(crate) use {error, plain};

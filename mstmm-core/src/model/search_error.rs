@@ -1,5 +1,6 @@
 //! What a search cannot do, and where.
 
+use crate::model::plain::error;
 use core::fmt;
 
 /// What a point or a member of a network is called.
@@ -30,7 +31,7 @@ impl fmt::Display for Spot {
 }
 
 /// A search that cannot start or cannot return all it found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SearchError {
     /// The range is empty, reversed or not finite, or its length is beyond the range of `f64`.
@@ -199,7 +200,7 @@ impl fmt::Display for SearchError {
     }
 }
 
-impl core::error::Error for SearchError {}
+error! { SearchError }
 
 /// What is proven of a count that rounding decides.
 fn unproven(f: &mut fmt::Formatter<'_>, near: f64, bounds: [u64; 2]) -> fmt::Result {

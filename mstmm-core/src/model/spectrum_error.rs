@@ -1,9 +1,10 @@
 //! Errors of response spectra.
 
+use crate::model::plain::error;
 use core::fmt;
 
 /// Why a spectrum, or a peak by one, cannot be given.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SpectrumError {
     /// A table without rows.
@@ -109,4 +110,4 @@ impl fmt::Display for SpectrumError {
     }
 }
 
-impl core::error::Error for SpectrumError {}
+error! { SpectrumError }

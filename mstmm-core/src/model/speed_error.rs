@@ -5,7 +5,7 @@ use core::fmt;
 
 /// A search for critical speeds, or for a threshold of stability, that cannot start or cannot return all it found, given the error `E` of a rotor that is not
 /// built: of a [`Frame`](crate::frame::Frame) its `BuildErrors`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum SpeedError<E = ParameterError> {
     /// The rotor at a speed cannot be built.
@@ -90,7 +90,13 @@ impl<E: fmt::Display> fmt::Display for SpeedError<E> {
     }
 }
 
-impl<E: fmt::Debug + fmt::Display> core::error::Error for SpeedError<E> {}
+impl<E: fmt::Display> fmt::Debug for SpeedError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<E: fmt::Display> core::error::Error for SpeedError<E> {}
 
 impl<E> From<SearchError> for SpeedError<E> {
     fn from(error: SearchError) -> Self {

@@ -2,11 +2,12 @@
 
 use crate::model::error::ParameterError;
 use crate::model::motion_error::MotionError;
+use crate::model::plain::error;
 use crate::model::search_error::{SearchError, Spot};
 use core::fmt;
 
 /// Why two systems are no ends of a box.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ToleranceError {
     /// A parameter by which the first system is not the softer or heavier one, or which has to be the same in both.
@@ -147,4 +148,4 @@ impl fmt::Display for ToleranceError {
     }
 }
 
-impl core::error::Error for ToleranceError {}
+error! { ToleranceError }

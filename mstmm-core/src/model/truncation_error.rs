@@ -1,11 +1,12 @@
 //! Errors of bounds for what a list of modes leaves out.
 
 use crate::model::motion_error::MotionError;
+use crate::model::plain::error;
 use crate::model::search_error::SearchError;
 use core::fmt;
 
 /// Why what a list of modes leaves out has no bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum TruncationError {
     /// The list has not all modes below the reach, one after the other, or it has more.
@@ -64,4 +65,4 @@ impl fmt::Display for TruncationError {
     }
 }
 
-impl core::error::Error for TruncationError {}
+error! { TruncationError }

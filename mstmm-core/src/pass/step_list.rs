@@ -2,6 +2,7 @@
 
 use crate::element::{ListElement, ListStepping, PlaneStep, VisitStep};
 use crate::model::FrequencyEstimates;
+use crate::model::error;
 use crate::number::{Frequency, FrequencyPowers, InLanes, Scalar, Scaled};
 use crate::pass::characteristic::{Characteristic, System};
 use crate::pass::inlining::into_root;
@@ -28,7 +29,7 @@ pub enum ListStep<E> {
 }
 
 /// A list that cannot be evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct ListError {
     /// Index of the step.
     pub step: usize,
@@ -42,7 +43,7 @@ impl fmt::Display for ListError {
     }
 }
 
-impl core::error::Error for ListError {}
+error! { ListError }
 
 /// A tree of elements as a list of steps in the caller's memory.
 ///

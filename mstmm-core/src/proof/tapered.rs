@@ -118,10 +118,12 @@ impl<N: Level> Beam<'_, N> {
         let (centrifugal, over) = (speed * speed * mass, |n: usize| Ball::of(n as f64).inverse());
         let pull = |share| self.at(share).into_iter().fold(centrifugal, |product, factor| product * factor);
         let sum = pull(start) + pull(0.5 + 0.5 * start).scaled(4.0) + pull(1.0);
-        let force = Ball::of_pair(section.axial_force) + self.whole * Ball::of(1.0 - start) * over(6) * sum;
+        let (load, rest) = (Ball::of_pair(section.axial_load), self.whole * Ball::of(1.0 - start));
+        let force = Ball::of_pair(section.axial_force) + rest * load + rest * over(6) * sum;
         let rotary = Ball::of_pair(section.rotary_inertia) * shape * self.square;
         // what the force loses along the piece
-        let losses: [_; 4] = product(&area, &[radius, length]).map(|term| centrifugal * (b * h) * length * term);
+        let mut losses: [_; 4] = product(&area, &[radius, length]).map(|term| centrifugal * (b * h) * length * term);
+        losses[0] = losses[0] + load * length;
         let forces = [0, 1, 2, 3, 4].map(|k| if k == 0 { force } else { -(losses[k - 1] * over(k)) });
         let g = [0, 1, 2, 3, 4].map(|k| (forces[k] - rotary * bending[k]) * along);
         let mut p = area.map(|term| mass * (b * h) * term * self.of_mass);

@@ -157,6 +157,7 @@ const TAPERS: &[&str] = &[
     "height_taper",
     "rotary_inertia",
     "axial_force",
+    "axial_load",
     "rotation_speed",
     "hub_radius",
     "setting_angle",

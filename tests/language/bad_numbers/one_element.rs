@@ -222,7 +222,7 @@ scenes! {
     LeverColumn = fixed -> rigid_link { output_x: Position, axial_force: Position } -> free undamped;
     TaperedBeam = fixed -> tapered_beam {
         length: Tame, bending_stiffness: Tame, mass_per_length: Tame, width_taper: Taper, height_taper: Taper,
-        rotary_inertia: TameOrZero, axial_force: Position, rotation_speed: TameOrZero, hub_radius: Position, setting_angle: Position,
+        rotary_inertia: TameOrZero, axial_force: Position, axial_load: Position, rotation_speed: TameOrZero, hub_radius: Position, setting_angle: Position,
         foundation_stiffness: Position,
     } -> free undamped;
     DampedSpring = fixed -> spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;

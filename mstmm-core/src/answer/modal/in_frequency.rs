@@ -3,7 +3,7 @@
 use crate::answer::frequency_response::on_grid;
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::response_curve::{Sample, refined};
-use crate::model::MotionError;
+use crate::model::{MotionError, hertz};
 use crate::number::{ComplexEigenvalue, Frequency, List, Oscillation, Real, RealFrequency, Scalar};
 use crate::search::ClosedRange;
 use num_complex::Complex;
@@ -23,11 +23,7 @@ macro_rules! in_frequency {
             /// [`MotionError::Resonance`] where it is infinite: at a root of the list, and at rest where a rigid body moves off.
             pub fn at(&self, x: $frequency) -> Result<$frequency, MotionError> {
                 let omega = x.omega().to_complex();
-                if !x.modulus().is_finite() {
-                    return Err(MotionError::NotFinite { frequency: x.modulus() });
-                }
-                let value = <$frequency>::from_complex(self.whole_at(Complex::new(-omega.im, omega.re))?);
-                if value.size().is_finite() { Ok(value) } else { Err(MotionError::Resonance { frequency: x.modulus() }) }
+                Ok(<$frequency>::from_complex(self.whole_at(Complex::new(-omega.im, omega.re))?))
             }
 
             /// Writes the responses at the frequencies of `grid` to `values`, each with the bits that `at` gives it.
@@ -60,8 +56,26 @@ in_frequency!(RealFrequency at T: "The entry under a load that vibrates at a fre
 in_frequency!(ComplexEigenvalue at Complex<T>: "The entry under a load `e^{λt}`, `λ = iω` for a steady vibration: the sum over the modes of the list, with the residual compliance of all others.");
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
+    /// The entry under a steady vibration of a frequency \[Hz\], by its amplitude and its phase: `at` the frequency `2π f`, or `λ = 2π f i`.
+    ///
+    /// # Errors
+    /// [`MotionError::Resonance`] where it is infinite: at a root of the list, and at rest where a rigid body moves off.
+    pub fn at_hertz(&self, frequency: T) -> Result<Complex<T>, MotionError> {
+        self.whole_at(Complex::new(T::zero(), hertz(frequency)))
+    }
+
     /// The whole response at λ.
     fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+        let frequency = lambda.modulus();
+        if !frequency.is_finite() {
+            return Err(MotionError::NotFinite { frequency });
+        }
+        let value = self.sum_of_all(lambda)?;
+        if value.size().is_finite() { Ok(value) } else { Err(MotionError::Resonance { frequency }) }
+    }
+
+    /// The sum of all modes, the residual compliance and what moves off.
+    fn sum_of_all(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
         let late = Complex::from(T::one()) + lambda * self.lag;
         let (sum, _) = self.sum_at(lambda);
         let held = Complex::from(self.residual) / late + sum + lambda * self.flow;

@@ -7,11 +7,12 @@ use crate::answer::network::states::{PlaneStates, Seen, check, internal, located
 use crate::answer::network::under_load::UnderLoad;
 use crate::answer::response_curve::{Sample, refined};
 use crate::answer::root::Root;
-use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad};
-use crate::number::List;
+use crate::model::{MotionError, PlaneActing, PlaneEntry, PlaneLoad, Quantity, SpreadLoad, hertz};
+use crate::number::{List, Scalar};
 use crate::pass::characteristic::System;
 use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, Wanted};
 use crate::search::ClosedRange;
+use num_complex::Complex;
 use num_traits::{One, Zero};
 
 /// A transfer function of a plane structure: a displacement, an internal force or a reaction per harmonic load of 1 N, or of 1 N m.
@@ -52,6 +53,21 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
             _ => None,
         };
         Facts { along, ..Facts::of(self.under.system, is_motion, displaced.is_none()) }
+    }
+
+    /// The response to a steady vibration of a frequency \[Hz\], by its amplitude and its phase: [`at`](PlaneResponse::at) `λ = 2π f i`.
+    ///
+    /// # Errors
+    /// As [`at`](PlaneResponse::at).
+    pub fn at_hertz(
+        &self,
+        frequency: <Y as System>::Parameter,
+    ) -> Result<Complex<<Y as System>::Parameter>, MotionError>
+    where
+        Y: MovingNetwork<Complex<<Y as System>::Parameter>>,
+        Complex<<Y as System>::Parameter>: PlaneFrequency<<Y as System>::Parameter>,
+    {
+        self.at(Complex::new(Scalar::from_f64(0.0), hertz(frequency)))
     }
 
     /// The response at a frequency: a real ω [rad/s], or a complex λ [1/s], `iω` for a steady vibration; at 0 that to a load at rest, with

@@ -114,7 +114,8 @@ impl<T: Real> BuiltTaperedBeam<T> {
             let densities = Densities::new(&profile, &state, share);
             densities.of_parameters(&profile, &beam, share)
         });
-        let [length, stiffness, mass, width, height, rotary, force, speed, radius, angle, foundation] = sums.map(half);
+        let [length, stiffness, mass, width, height, rotary, force, load, speed, radius, angle, foundation] =
+            sums.map(half);
         let work = |state: &State<S>| state.m * state.theta;
         TaperedBeam {
             length: (length + work(&ends.output) - work(&ends.input)) * inverse,
@@ -124,6 +125,7 @@ impl<T: Real> BuiltTaperedBeam<T> {
             height_taper: height,
             rotary_inertia: rotary,
             axial_force: force,
+            axial_load: load,
             rotation_speed: speed,
             hub_radius: radius,
             setting_angle: angle,
@@ -158,7 +160,7 @@ impl<S: Single> Densities<S> {
     }
 
     /// Their derivatives with respect to the parameters, that to the length times the length.
-    fn of_parameters(&self, profile: &Profile<S>, beam: &TaperedBeam<S>, share: f64) -> [S; 11] {
+    fn of_parameters(&self, profile: &Profile<S>, beam: &TaperedBeam<S>, share: f64) -> [S; 12] {
         let Densities { bending, mass, rotary, slope, square } = *self;
         // distance from the beam's input end as a share, which is not where shares are counted from if the beam is reversed
         let position = |share: f64| S::from_f64(if profile.outer > 0.0 { share } else { 1.0 - share });
@@ -168,6 +170,7 @@ impl<S: Single> Densities<S> {
         let by_height = |at: f64| -position(at) / profile.height.at(at);
         let force = pull(&centrifugal);
         let stretched = pull(&|at| profile.mass_at(at) * position(at) * beam.length);
+        let loaded = slope * beam.length * profile.to_end(share);
         let three = S::from_f64(3.0);
         let shape = bending + rotary;
         let (sin, cos) = beam.setting_angle.sin_cos();
@@ -175,13 +178,15 @@ impl<S: Single> Densities<S> {
         [
             mass + profile.foundation * square - three * bending - slope * profile.force_at(share) - rotary
                 + force
-                + stretched,
+                + stretched
+                + loaded * beam.axial_load,
             bending / beam.bending_stiffness,
             (mass + force) / beam.mass_per_length,
             by_width(share) * (shape + mass) + pull(&|at| by_width(at) * centrifugal(at)),
             by_height(share) * (three * shape + mass) + pull(&|at| by_height(at) * centrifugal(at)),
             profile.lambda_squared * profile.shape_at(share) * slope,
             slope,
+            loaded,
             twice(beam.rotation_speed * (slope * profile.up_to_end(share, centrifugal) - push * sin)),
             pull(&|at| profile.mass_at(at)),
             -twice(profile.speed_squared * push * cos),

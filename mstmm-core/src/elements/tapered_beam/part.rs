@@ -41,8 +41,9 @@ impl<S: Scalar> Part<S> {
         let three = S::from_f64(3.0);
         let cubic = [S::one(), three * eta, three * eta * eta, eta * eta * eta, S::zero()];
         let e: [S; 5] = core::array::from_fn(|k| if k == 0 { S::one() } else { cubic[k] + beta * cubic[k - 1] });
-        // the slope of the axial force is the centrifugal force, which pulls towards the end where the other force acts
-        let pull = if beam.outer > start { -beam.speed_squared } else { beam.speed_squared } * length * mass;
+        // the slope of the axial force is the load and the centrifugal force, which pull towards the end where the other force acts
+        let [load, centrifugal] = [beam.load * length, beam.speed_squared * length * mass];
+        let [load, pull] = if beam.outer > start { [-load, -centrifugal] } else { [load, centrifugal] };
         let further = beam.radius.change * wide;
         let product = |k: usize| {
             let own = if k < 3 { m[k] * radius } else { S::zero() };
@@ -50,7 +51,11 @@ impl<S: Scalar> Part<S> {
         };
         let rotary = beam.rotary_at(start) * beam.lambda_squared;
         let g = core::array::from_fn(|k| {
-            let force = if k == 0 { beam.force_at(start) } else { pull * product(k - 1) / S::from_f64(k as f64) };
+            let force = match k {
+                0 => beam.force_at(start),
+                1 => load + pull * product(0),
+                _ => pull * product(k - 1) / S::from_f64(k as f64),
+            };
             (force + rotary * e[k]) * square * flexibility
         });
         let unit = square * square * flexibility;
@@ -131,7 +136,8 @@ pub(super) fn is_short(beam: &Profile<f64>, start: f64, width: f64) -> bool {
     let square = length * length / beam.stiffness_at(start);
     let most_mass = beam.mass * b * h * most_b * most_h;
     let farthest = beam.radius.at(start).size().max(beam.radius.at(start + width).size());
-    let force = beam.force_at(start).size() + beam.speed_squared * length * most_mass * farthest;
+    let load = beam.load.size() + beam.speed_squared * most_mass * farthest;
+    let force = beam.force_at(start).size() + length * load;
     let rotary = beam.rotary_at(start) * beam.lambda_squared * most_b * most_h * most_h * most_h;
     let g = (force + rotary) * square;
     let q = beam.most_hold(most_mass) * square * length * length;

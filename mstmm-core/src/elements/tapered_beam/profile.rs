@@ -34,6 +34,8 @@ pub(super) struct Profile<S> {
     pub(super) speed_squared: S,
     /// Axial force at the beam's output end.
     pub(super) force: S,
+    /// Axial load per length, towards the output end.
+    pub(super) load: S,
     pub(super) lambda_squared: S,
     /// `λ² - Ω² sin² ψ`, by which a mass holds against deflections.
     pub(super) of_mass: S,
@@ -61,6 +63,7 @@ impl<S: Scalar> Profile<S> {
             radius: even(beam.hub_radius, beam.hub_radius + beam.length, beam.length),
             speed_squared,
             force: beam.axial_force,
+            load: beam.axial_load,
             lambda_squared,
             of_mass: lambda_squared - speed_squared * sin * sin,
             foundation: beam.foundation_stiffness,
@@ -96,18 +99,23 @@ impl<S: Scalar> Profile<S> {
 
     /// The axial force.
     pub(super) fn force_at(&self, share: f64) -> S {
-        self.force + self.speed_squared * self.up_to_end(share, |at| self.mass_at(at) * self.radius.at(at))
+        let pull = self.speed_squared * self.up_to_end(share, |at| self.mass_at(at) * self.radius.at(at));
+        self.force + self.load * self.length * self.to_end(share) + pull
+    }
+
+    /// The share of the length from a share up to the output end.
+    pub(super) fn to_end(&self, share: f64) -> S {
+        S::from_f64(Parameter::abs(self.outer - share))
     }
 
     /// The integral over x of a polynomial of degree 3, from a share of the length to the output end, by Simpson's rule, which is exact.
     pub(super) fn up_to_end(&self, share: f64, at: impl Fn(f64) -> S) -> S {
-        let width = if share < self.outer { self.outer - share } else { share - self.outer };
-        if width == 0.0 {
+        if share == self.outer {
             return S::zero();
         }
         let middle = at(0.5 * (share + self.outer));
         let sum = at(share) + S::from_f64(4.0) * middle + at(self.outer);
-        self.length * S::from_f64(width) * sum / S::from_f64(6.0)
+        self.length * self.to_end(share) * sum / S::from_f64(6.0)
     }
 }
 

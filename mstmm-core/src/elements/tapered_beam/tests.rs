@@ -20,6 +20,7 @@ const BLADE: TaperedBeam<f64> = TaperedBeam {
     height_taper: 0.6,
     rotary_inertia: 0.01,
     axial_force: 0.8,
+    axial_load: -0.9,
     rotation_speed: 1.7,
     hub_radius: 0.4,
     setting_angle: 0.9,
@@ -183,14 +184,15 @@ fn gradients_are_differences_of_the_work() {
         BLADE.height_taper,
         BLADE.rotary_inertia,
         BLADE.axial_force,
+        BLADE.axial_load,
         BLADE.rotation_speed,
         BLADE.hub_radius,
         BLADE.setting_angle,
         BLADE.foundation_stiffness,
     ];
-    let beam = |values: [D; 11]| {
+    let beam = |values: [D; 12]| {
         let [length, bending_stiffness, mass_per_length, width_taper, height_taper, rotary_inertia, ..] = values;
-        let [.., axial_force, rotation_speed, hub_radius, setting_angle, foundation_stiffness] = values;
+        let [.., axial_force, axial_load, rotation_speed, hub_radius, setting_angle, foundation_stiffness] = values;
         TaperedBeam {
             length,
             bending_stiffness,
@@ -199,6 +201,7 @@ fn gradients_are_differences_of_the_work() {
             height_taper,
             rotary_inertia,
             axial_force,
+            axial_load,
             rotation_speed,
             hub_radius,
             setting_angle,
@@ -214,6 +217,7 @@ fn gradients_are_differences_of_the_work() {
         found.height_taper,
         found.rotary_inertia,
         found.axial_force,
+        found.axial_load,
         found.rotation_speed,
         found.hub_radius,
         found.setting_angle,
@@ -241,6 +245,7 @@ fn gradients_do_not_know_the_end() {
     for pick in [
         |g: &TaperedBeam<Complex<f64>>| g.length,
         |g: &TaperedBeam<Complex<f64>>| g.height_taper,
+        |g: &TaperedBeam<Complex<f64>>| g.axial_load,
         |g: &TaperedBeam<Complex<f64>>| g.rotation_speed,
         |g: &TaperedBeam<Complex<f64>>| g.hub_radius,
         |g: &TaperedBeam<Complex<f64>>| g.setting_angle,

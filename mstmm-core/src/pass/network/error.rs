@@ -1,10 +1,11 @@
 //! Networks that cannot be built.
 
 use crate::model::InvalidParameter;
+use crate::model::error;
 use core::fmt;
 
 /// A network that cannot be built.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NetworkError {
     /// The network has no node that could move.
@@ -113,4 +114,4 @@ impl fmt::Display for NetworkError {
     }
 }
 
-impl core::error::Error for NetworkError {}
+error! { NetworkError }

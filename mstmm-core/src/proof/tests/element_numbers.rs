@@ -182,7 +182,7 @@ fn beams(p: &mut Parameters, runs: usize) -> Vec<(&'static str, Seen)> {
         }
         TaperedBeam of length => {
             length: p.size(0.2), bending_stiffness: p.size(0.3), mass_per_length: p.size(0.3), width_taper: p.part(-0.5, 0.5),
-            height_taper: p.part(-0.5, 0.5), rotary_inertia: beam!(p: small), axial_force: p.any(), rotation_speed: p.maybe(),
+            height_taper: p.part(-0.5, 0.5), rotary_inertia: beam!(p: small), axial_force: p.any(), axial_load: p.any(), rotation_speed: p.maybe(),
             hub_radius: p.any(), setting_angle: p.part(0.0, 1.5), foundation_stiffness: p.maybe(),
         }
     )

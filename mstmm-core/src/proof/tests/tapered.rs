@@ -23,6 +23,7 @@ const BLADE: TaperedBeam<f64> = TaperedBeam {
     height_taper: 0.6,
     rotary_inertia: 0.01,
     axial_force: 0.8,
+    axial_load: -0.9,
     rotation_speed: 1.7,
     hub_radius: 0.4,
     setting_angle: 0.9,
@@ -34,6 +35,7 @@ const UNIFORM: TaperedBeam<f64> = TaperedBeam {
     height_taper: 0.0,
     rotary_inertia: 0.0,
     axial_force: 0.0,
+    axial_load: 0.0,
     rotation_speed: 0.0,
     foundation_stiffness: 0.0,
     ..BLADE
@@ -48,6 +50,7 @@ fn section(beam: TaperedBeam<f64>) -> TaperedNumbers {
         height_taper: [beam.height_taper, 0.0],
         rotary_inertia: [beam.rotary_inertia, 0.0],
         axial_force: [beam.axial_force, 0.0],
+        axial_load: [beam.axial_load, 0.0],
         rotation_speed: [beam.rotation_speed, 0.0],
         hub_radius: [beam.hub_radius, 0.0],
         setting_angle: [beam.setting_angle, 0.0],
@@ -165,6 +168,7 @@ fn one_piece(case: u32) -> (TaperedBeam<f64>, f64) {
         height_taper: 0.124 * next(),
         rotary_inertia: 0.02 + 0.02 * next(),
         axial_force: 2.0 * next(),
+        axial_load: 3.0 * next(),
         rotation_speed: 1.0 + next(),
         hub_radius: next(),
         setting_angle: 3.0 * next(),
@@ -302,6 +306,8 @@ fn entries_of_extreme_beams_are_in_their_balls() {
     let flared = TaperedBeam { width_taper: -1e3, height_taper: -20.0, ..UNIFORM };
     let buckled = TaperedBeam { axial_force: -300.0, ..BLADE };
     let stretched = TaperedBeam { axial_force: 3e3, ..BLADE };
+    let hanging = TaperedBeam { axial_force: 0.0, axial_load: 4e3, ..BLADE };
+    let standing = TaperedBeam { axial_force: 0.0, axial_load: -400.0, ..BLADE };
     let rotor = TaperedBeam { rotation_speed: 40.0, hub_radius: 0.1, setting_angle: 1.5, ..BLADE };
     let inward = TaperedBeam { rotation_speed: 20.0, hub_radius: -1.5, setting_angle: -0.4, ..BLADE };
     let soft = TaperedBeam { foundation_stiffness: -2e3, ..BLADE };
@@ -311,6 +317,8 @@ fn entries_of_extreme_beams_are_in_their_balls() {
         ("flared", flared),
         ("buckled", buckled),
         ("stretched", stretched),
+        ("hanging", hanging),
+        ("standing", standing),
         ("rotor", rotor),
         ("inward", inward),
         ("soft", soft),

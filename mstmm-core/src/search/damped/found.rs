@@ -64,7 +64,7 @@ impl<T: Real> Eigenvalue<T> {
     /// assert_eq!((root.hertz(), root.rpm().round(), root.period()), (25.0, 1500.0, 0.04));
     /// ```
     pub fn hertz(&self) -> T {
-        turns::hertz(self.lambda.im.abs())
+        turns::in_hertz(self.lambda.im.abs())
     }
 
     /// Speed of a shaft `30 |Im λ|/π` [1/min] that turns once in a period.

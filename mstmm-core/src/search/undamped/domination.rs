@@ -308,6 +308,7 @@ fn by_tapered(soft: &TaperedNumbers, stiff: &TaperedNumbers) -> Result<(), Wrong
         ("height_taper", Effect::Same, [soft.height_taper, stiff.height_taper]),
         ("rotary_inertia", of_mass, [soft.rotary_inertia, stiff.rotary_inertia]),
         ("axial_force", Effect::Up, [soft.axial_force, stiff.axial_force]),
+        ("axial_load", Effect::Up, [soft.axial_load, stiff.axial_load]),
         ("rotation_speed", Effect::Same, [soft.rotation_speed, stiff.rotation_speed]),
         ("hub_radius", Effect::Same, [soft.hub_radius, stiff.hub_radius]),
         ("setting_angle", Effect::Same, [soft.setting_angle, stiff.setting_angle]),

@@ -36,7 +36,7 @@ impl<T: Real> NaturalFrequency<T> {
     /// ```
     #[inline]
     pub fn hertz(&self) -> T {
-        turns::hertz(self.omega)
+        turns::in_hertz(self.omega)
     }
 
     /// Speed of a shaft `30 ω/π` [1/min] that turns once in a period.
@@ -113,7 +113,7 @@ impl<'a, T, const CAP: usize> IntoIterator for &'a FrequencyList<T, CAP> {
 
 impl<T: Real + fmt::Display> fmt::Display for NaturalFrequency<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} rad/s", self.omega)?;
+        write!(f, "{} rad/s, {} Hz", self.omega, self.hertz())?;
         if self.multiplicity > 1 { write!(f, " ({} times)", self.multiplicity) } else { Ok(()) }
     }
 }

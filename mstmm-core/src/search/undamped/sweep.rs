@@ -10,7 +10,7 @@ use crate::search::undamped::sampling::Isolation;
 use core::fmt;
 
 /// Why a model of a sweep has no certified frequencies.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum SweepError<E = ParameterError> {
     /// A parameter is out of its range.
     Parameter(E),
@@ -24,6 +24,12 @@ impl<E: fmt::Display> fmt::Display for SweepError<E> {
             SweepError::Parameter(error) => error.fmt(f),
             SweepError::Search(error) => error.fmt(f),
         }
+    }
+}
+
+impl<E: fmt::Display> fmt::Debug for SweepError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

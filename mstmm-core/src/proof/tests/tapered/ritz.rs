@@ -58,10 +58,11 @@ pub(super) fn energy(beam: TaperedBeam<f64>, square: &Exact) -> [Vec<Exact>; 3] 
         sin = &sin + &term;
         term = -(term * big(beam.setting_angle) * big(beam.setting_angle)) / big(f64::from(2 * k * (2 * k + 1)));
     }
-    // N' = -Ω² m (R + x)
+    // N' = -p - Ω² m (R + x)
     let pull = times(&scaled(&area, &(big(beam.mass_per_length) * &speed_squared)), &[big(beam.hub_radius), big(1.0)]);
     let mut force = std::vec![big(0.0)];
     force.extend(pull.iter().enumerate().map(|(k, term)| -(term / big(k as f64 + 1.0))));
+    force[1] = &force[1] - big(beam.axial_load);
     force[0] = big(beam.axial_force) - value(&force, &length);
     let rotary = scaled(&shape, &(-big(beam.rotary_inertia) * square));
     force = force.iter().zip(&rotary).map(|(force, rotary)| force + rotary).collect();
