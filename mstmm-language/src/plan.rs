@@ -8,10 +8,9 @@ use crate::ast::{Connection, Element, Kind, Parameter};
 use crate::check::Tree;
 use crate::diagnostics::Place;
 use crate::keywords::support_of;
-use crate::spans::origin;
+use crate::spans::meaning;
 use crate::topology::Vertex;
 use mstmm_plan::{Scheme, Space, Support, inputs_first};
-use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::BTreeMap;
 use syn::Ident;
@@ -158,24 +157,11 @@ pub(crate) fn support(keyword: &Ident) -> Support {
 fn identity(element: &Element) -> (String, BTreeMap<String, String>) {
     let kind = match &element.kind {
         Kind::Keyword(keyword) => keyword.to_string(),
-        Kind::Type(path) => text(path.to_token_stream()),
+        Kind::Type(path) => meaning(path.to_token_stream()),
     };
     let value = |parameter: &Parameter| match &parameter.value {
-        Some(value) => text(value.to_token_stream()),
-        None => text(parameter.name.to_token_stream()),
+        Some(value) => meaning(value.to_token_stream()),
+        None => meaning(parameter.name.to_token_stream()),
     };
     (kind, element.parameters().map(|p| (p.name.to_string(), value(p))).collect())
-}
-
-/// Tokens as text in which equal names of different origin differ.
-fn text(tokens: TokenStream) -> String {
-    let mut text = String::new();
-    for tree in tokens {
-        match tree {
-            TokenTree::Ident(name) => text += &format!("{name}{} ", origin(name.span())),
-            TokenTree::Group(group) => text += &format!("{:?}{{ {}}} ", group.delimiter(), self::text(group.stream())),
-            other => text += &format!("{other} "),
-        }
-    }
-    text
 }

@@ -21,6 +21,19 @@ pub(crate) fn origin(span: Span) -> String {
     text.split_once(" bytes(").map(|(context, _)| context.to_owned()).unwrap_or(text)
 }
 
+/// Tokens as text in which equal names of different origin differ.
+pub(crate) fn meaning(tokens: TokenStream) -> String {
+    let mut text = String::new();
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(name) => text += &format!("{name}{} ", origin(name.span())),
+            TokenTree::Group(group) => text += &format!("{:?}{{ {}}} ", group.delimiter(), meaning(group.stream())),
+            other => text += &format!("{other} "),
+        }
+    }
+    text
+}
+
 /// All names that occur in the tokens.
 pub(crate) fn collect_names(tokens: TokenStream, names: &mut BTreeSet<String>) {
     for tree in tokens {

@@ -49,6 +49,11 @@ pub enum ToleranceError {
         /// The parameter.
         parameter: &'static str,
     },
+    /// A field that moves a parameter of an element of one's own, of which nothing tells how it acts on frequencies.
+    OwnElement {
+        /// The field.
+        field: &'static str,
+    },
     /// A formula that is not defined in all of a box, or has no bounds there.
     Unbounded {
         /// A field on which it depends.
@@ -129,9 +134,13 @@ impl fmt::Display for ToleranceError {
                 f,
                 "field `{field}` moves `{parameter}` of {element}, which acts both ways on frequencies: give it the same value in both models"
             ),
+            ToleranceError::OwnElement { field } => write!(
+                f,
+                "field `{field}` moves a parameter of an element of your own, of which nothing tells how it acts on frequencies: give it the same value in both models"
+            ),
             ToleranceError::Unbounded { field, low, high } => write!(
                 f,
-                "a formula of field `{field}` goes from {low} to {high} over the box: it has to be defined and bounded in all of it"
+                "a formula of field `{field}` goes from {low} to {high}: it has to be defined and bounded in all of the box, or in each of its parts"
             ),
             ToleranceError::Unseen { element, parameter, low, high } => write!(
                 f,

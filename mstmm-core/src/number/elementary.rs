@@ -17,7 +17,7 @@ pub trait Elementary:
 {
     /// A plain number.
     fn constant(value: f64) -> Self;
-    /// Whether it is a number.
+    /// Whether it is a number; of an interval whether both ends are finite numbers.
     fn is_number(self) -> bool;
     /// Whether it is zero and nothing else.
     fn is_zero(self) -> bool;
@@ -32,6 +32,9 @@ pub trait Elementary:
     /// The larger one of two.
     #[must_use]
     fn greater(self, other: Self) -> Self;
+    /// Its absolute value.
+    #[must_use]
+    fn absolute(self) -> Self;
     /// The sign of its bits, 1 or -1.
     #[must_use]
     fn sign(self) -> Self;
@@ -41,9 +44,9 @@ pub trait Elementary:
     /// A power.
     #[must_use]
     fn power(self, exponent: Self) -> Self;
-    /// The angle of the point `(x, self)`.
+    /// The angle of the point `(x, self)`, and its slopes along this number and along x.
     #[must_use]
-    fn angle(self, x: Self) -> Self;
+    fn angle(self, x: Self) -> (Self, [Self; 2]);
     /// `sqrt(a² + b²)`.
     #[must_use]
     fn diagonal(self, other: Self) -> Self;
@@ -139,6 +142,10 @@ impl Elementary for f64 {
         self.max(other)
     }
 
+    fn absolute(self) -> Self {
+        self.abs()
+    }
+
     fn sign(self) -> Self {
         self.signum()
     }
@@ -151,8 +158,9 @@ impl Elementary for f64 {
         elementary!(f64::powf, libm::pow, self, exponent)
     }
 
-    fn angle(self, x: Self) -> Self {
-        elementary!(f64::atan2, libm::atan2, self, x)
+    fn angle(self, x: Self) -> (Self, [Self; 2]) {
+        let square = self * self + x * x;
+        (elementary!(f64::atan2, libm::atan2, self, x), [x / square, -self / square])
     }
 
     fn diagonal(self, other: Self) -> Self {

@@ -1,7 +1,8 @@
 //! Intervals that hold all values of a formula over a box of fields, rounded outwards.
 //!
 //! An operation on plain numbers is right to half a distance of neighbours, so that a neighbour further out is a bound. Functions of the standard library are
-//! taken to be right to [`LIBRARY`] of these distances. An end that is not a number makes the whole interval none: the formula is not defined in all of it.
+//! taken to be right to [`LIBRARY`] of these distances. An end that is not a finite number makes the whole interval none: the formula may not be defined in all of it, as behind a
+//! division by zero. Zero stands for both of its signs.
 
 mod functions;
 #[cfg(test)]
@@ -14,7 +15,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Distances of neighbours by which a function may be wrong. The GNU C library documents 4 at most for those that are used here, of the cube root.
 const LIBRARY: usize = 4;
 
-/// All numbers from one to another.
+/// All numbers from one to another, or none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Interval {
     /// The least one.
@@ -25,18 +26,17 @@ pub struct Interval {
 
 /// What nothing is known of.
 const NONE: Interval = Interval { low: f64::NAN, high: f64::NAN };
-/// All numbers.
-const ALL: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
 impl Interval {
     /// From the smaller of two numbers to the larger one.
     pub fn between(one: f64, other: f64) -> Self {
+        let [one, other] = [positive_zero(one), positive_zero(other)];
         if one <= other { Interval { low: one, high: other } } else { Interval { low: other, high: one } }
     }
 
     /// One number.
     pub fn point(value: f64) -> Self {
-        Interval { low: value, high: value }
+        Interval::between(value, value)
     }
 
     /// Whether a number is in it.
@@ -55,12 +55,9 @@ impl Interval {
         Interval { low: out(self.low, f64::next_down), high: out(self.high, f64::next_up) }
     }
 
-    /// What both have.
-    fn within(self, other: Self) -> Self {
-        if !(self.is_number() && other.is_number()) {
-            return NONE;
-        }
-        Interval { low: self.low.max(other.low), high: self.high.min(other.high) }
+    /// What is in a range, too.
+    fn within(self, [least, most]: [f64; 2]) -> Self {
+        if self.is_number() { Interval { low: self.low.max(least), high: self.high.min(most) } } else { NONE }
     }
 
     /// From the least to the greatest of some numbers; none where one is not a number.
@@ -68,8 +65,8 @@ impl Interval {
         if values.iter().any(|value| value.is_nan()) {
             return NONE;
         }
-        let all = Interval { low: f64::INFINITY, high: f64::NEG_INFINITY };
-        values.iter().fold(all, |all, value| Interval { low: all.low.min(*value), high: all.high.max(*value) })
+        let [least, most] = [f64::min, f64::max].map(|pick| values.iter().copied().fold(values[0], pick));
+        Interval { low: least, high: most }
     }
 }
 
@@ -78,13 +75,14 @@ fn rounded(value: f64, is_exact: bool) -> Interval {
     Interval::point(value).outwards(usize::from(!is_exact))
 }
 
-/// The bounds of a sum of two numbers, which is exact where it is zero; a bound that is infinite stays one, whatever comes to it.
+/// The bounds of a sum of two numbers, which is exact where it is zero.
 fn sum(one: f64, other: f64) -> Interval {
-    match (one.is_infinite(), other.is_infinite()) {
-        (true, _) => Interval::point(one),
-        (_, true) => Interval::point(other),
-        _ => rounded(one + other, one + other == 0.0),
-    }
+    rounded(one + other, one + other == 0.0)
+}
+
+/// Zero without its sign.
+fn positive_zero(value: f64) -> f64 {
+    value + 0.0
 }
 
 impl Add for Interval {
@@ -100,7 +98,7 @@ impl Add for Interval {
 impl Neg for Interval {
     type Output = Self;
     fn neg(self) -> Self {
-        Interval { low: -self.high, high: -self.low }
+        Interval { low: 0.0 - self.high, high: 0.0 - self.low }
     }
 }
 
@@ -117,11 +115,7 @@ impl Mul for Interval {
         if !(self.is_number() && other.is_number()) {
             return NONE;
         }
-        // an infinite end is a bound and no value: nothing times it is nothing
-        let product = |one: f64, other: f64| {
-            let is_nothing = one == 0.0 || other == 0.0;
-            rounded(if is_nothing { 0.0 } else { one * other }, is_nothing)
-        };
+        let product = |one: f64, other: f64| rounded(positive_zero(one * other), one == 0.0 || other == 0.0);
         let of = |one: f64| product(one, other.low).hull(product(one, other.high));
         of(self.low).hull(of(self.high))
     }
@@ -134,9 +128,9 @@ impl Div for Interval {
             return NONE;
         }
         if other.low <= 0.0 && other.high >= 0.0 {
-            return if other.low == 0.0 && other.high == 0.0 { NONE } else { ALL };
+            return NONE;
         }
-        let quotient = |one: f64, other: f64| rounded(one / other, one == 0.0);
+        let quotient = |one: f64, other: f64| rounded(positive_zero(one / other), one == 0.0);
         let of = |one: f64| quotient(one, other.low).hull(quotient(one, other.high));
         of(self.low).hull(of(self.high))
     }

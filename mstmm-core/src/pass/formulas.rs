@@ -21,6 +21,12 @@ pub trait Formulas: Numbered {
     #[doc(hidden)]
     const COMPARES: bool;
 
+    /// Whether a number is a parameter of an element of the user's own, of which nothing tells how it acts between two values.
+    #[doc(hidden)]
+    fn is_of_own_element(_: usize) -> bool {
+        false
+    }
+
     /// The values of the fields.
     #[doc(hidden)]
     fn values(&self) -> <Self::Built as Fields>::PerField<f64>;

@@ -15,14 +15,14 @@ macro_rules! functions {
         $(#[$of_properties])*
         #[must_use]
         pub fn $properties<T: Number>($($size: T),*) -> (T, T, T, T) {
-            let nan = T::constant(f64::NAN);
+            let nan = T::undefined();
             $section { $($size),* }.properties().map_or((nan, nan, nan, nan), |properties| properties.tuple())
         }
 
         $(#[$of_shear])*
         #[must_use]
         pub fn $shear<T: Number>($($size: T,)* poisson_ratio: T) -> (T, T) {
-            let nan = T::constant(f64::NAN);
+            let nan = T::undefined();
             let coefficients = $section { $($size),* }.shear_coefficients(poisson_ratio);
             coefficients.map_or((nan, nan), |coefficients| coefficients.tuple())
         }

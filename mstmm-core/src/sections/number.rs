@@ -1,5 +1,6 @@
 //! What sizes of sections are made of.
 
+use crate::number::elementary::Elementary;
 use crate::number::interval::Interval;
 use crate::number::{Partials, elementary};
 use core::ops::{Add, Div, Mul, Sub};
@@ -18,6 +19,10 @@ pub trait Number:
     /// A number that depends on nothing.
     fn constant(value: f64) -> Self;
 
+    /// What is not defined: neither it nor its derivatives are known over a box of sizes.
+    #[doc(hidden)]
+    fn undefined() -> Self;
+
     /// Its least and its greatest value, which are one for all but intervals.
     #[doc(hidden)]
     fn ends(self) -> [f64; 2];
@@ -32,6 +37,10 @@ pub trait Number:
 }
 
 impl Number for f64 {
+    fn undefined() -> Self {
+        f64::NAN
+    }
+
     fn constant(value: f64) -> Self {
         value
     }
@@ -49,12 +58,17 @@ impl Number for f64 {
     }
 }
 
-/// Numbers with derivatives, given the ends of a value.
+/// Numbers with derivatives, given the slope of what is not defined and the ends of a value.
 macro_rules! with_derivatives {
-    ($($value:ty, $ends:expr;)*) => {$(
+    ($($value:ty, $slope:expr, $ends:expr;)*) => {$(
         impl<const K: usize> Number for Partials<K, $value> {
             fn constant(value: f64) -> Self {
                 Partials::constant(value)
+            }
+
+            fn undefined() -> Self {
+                let [value, slope]: [$value; 2] = [f64::NAN, $slope].map(Elementary::constant);
+                Partials { value, partials: [slope; K] }
             }
 
             fn ends(self) -> [f64; 2] {
@@ -75,8 +89,8 @@ macro_rules! with_derivatives {
 }
 
 with_derivatives! {
-    f64, |value| [value; 2];
-    Interval, |value: Interval| [value.low, value.high];
+    f64, 0.0, |value| [value; 2];
+    Interval, f64::NAN, |value: Interval| [value.low, value.high];
 }
 
 mod sealed {

@@ -15,6 +15,7 @@ mod scope;
 use super::listed;
 use crate::ast::{Element, Model, Parameter, tuple_parts};
 use crate::diagnostics::Errors;
+use crate::spans::meaning;
 use dependence::Dependence;
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -30,7 +31,7 @@ pub(crate) struct Derivatives {
     pub(crate) lets: Vec<Local>,
     /// By the labels of the elements: the parameters that depend on fields.
     parameters: BTreeMap<String, Vec<(Ident, Expr)>>,
-    /// By their text: the numbers of a model with locations that depend on fields.
+    /// By what they mean: the numbers of a model with locations that depend on fields.
     numbers: BTreeMap<String, Expr>,
     /// Whether a formula compares values that depend on fields.
     pub(crate) compares: bool,
@@ -53,7 +54,7 @@ impl Derivatives {
 
     /// The formula of a number of a model with locations that depends on fields.
     pub(crate) fn of_number(&self, number: &Expr) -> Option<&Expr> {
-        self.numbers.get(&number.to_token_stream().to_string())
+        self.numbers.get(&meaning(number.to_token_stream()))
     }
 
     /// Whether nothing depends on a field.
@@ -107,11 +108,11 @@ impl Formulas<'_> {
         matches!(dependence, Dependence::Number(_)).then(|| (parameter.name.clone(), value))
     }
 
-    /// The text and the formula of a number that depends on fields.
+    /// The meaning and the formula of a number that depends on fields.
     fn number(&mut self, part: &Expr) -> Option<(String, Expr)> {
         let mut value = part.clone();
         let dependence = self.expression(&mut value);
-        matches!(dependence, Dependence::Number(_)).then(|| (part.to_token_stream().to_string(), value))
+        matches!(dependence, Dependence::Number(_)).then(|| (meaning(part.to_token_stream()), value))
     }
 
     /// Refuses code through which a value passes, if the value depends on fields.

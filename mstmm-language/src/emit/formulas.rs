@@ -5,7 +5,7 @@ use crate::ast::{Element, Model, Parameter};
 use crate::check::Derivatives;
 use crate::plan::Plan;
 use proc_macro2::TokenStream;
-use quote::{ToTokens, quote_spanned};
+use quote::quote_spanned;
 use syn::Expr;
 
 /// `impl Formulas` of a model without places. A rotor has none: its whirls are systems like others.
@@ -16,12 +16,27 @@ pub(super) fn of_plan(model: &Model, plan: &Plan<'_>, derivatives: &Derivatives,
     formulas(model, plan.elements.iter().flat_map(|element| of_element(element, derivatives)), derivatives, names)
 }
 
+/// A number of a model over a box.
+#[derive(Clone, Copy)]
+pub(super) struct Formula<'d> {
+    value: &'d Expr,
+    /// Whether it is a parameter of an element of the user's own.
+    is_own: bool,
+}
+
+impl<'d> Formula<'d> {
+    /// A number of the sketch.
+    pub(super) fn of_sketch(value: &'d Expr) -> Self {
+        Formula { value, is_own: false }
+    }
+}
+
 /// The formula of each parameter of an element; none for a parameter that depends on no field.
-pub(super) fn of_element<'d>(element: &Element, derivatives: &'d Derivatives) -> Vec<Option<&'d Expr>> {
+pub(super) fn of_element<'d>(element: &Element, derivatives: &'d Derivatives) -> Vec<Option<Formula<'d>>> {
     let dependent = derivatives.of(element);
     let formula = |parameter: &Parameter| {
         let own = dependent.iter().find(|(name, _)| *name == parameter.name);
-        own.map(|(_, value)| *value)
+        own.map(|(_, value)| Formula { value, is_own: element.known().is_none() })
     };
     element.parameters().map(formula).collect()
 }
@@ -29,7 +44,7 @@ pub(super) fn of_element<'d>(element: &Element, derivatives: &'d Derivatives) ->
 /// `impl Formulas`, given the formula of each number in order; none for a number that depends on no field.
 pub(super) fn formulas<'d>(
     model: &Model,
-    numbers: impl Iterator<Item = Option<&'d Expr>>,
+    numbers: impl Iterator<Item = Option<Formula<'d>>>,
     derivatives: &Derivatives,
     names: &Names,
 ) -> TokenStream {
@@ -45,15 +60,24 @@ pub(super) fn formulas<'d>(
         let (name, conditions) = (field.name, field.conditions);
         quote_spanned!(names.here=> #(#conditions)* self.#name)
     });
-    let takes = numbers.enumerate().filter_map(|(place, formula)| {
-        let formula = formula?.to_token_stream();
-        Some(quote_spanned!(names.here=> let number = #formula; take(#place, number.value, &number.partials);))
+    let numbers: Vec<_> = numbers.enumerate().filter_map(|(place, formula)| Some((place, formula?))).collect();
+    let takes = numbers.iter().map(|(place, Formula { value, .. })| {
+        quote_spanned!(names.here=> let number = #value; take(#place, number.value, &number.partials);)
+    });
+    let own: Vec<_> = numbers.iter().filter(|(_, formula)| formula.is_own).map(|(place, _)| *place).collect();
+    let is_own = (!own.is_empty()).then(|| {
+        quote_spanned! {names.here=>
+            fn is_of_own_element(place: ::core::primitive::usize) -> ::core::primitive::bool {
+                ::core::matches!(place, #(#own)|*)
+            }
+        }
     });
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl #private::Formulas for #name {
             type Built = #system;
             const COMPARES: ::core::primitive::bool = #compares;
+            #is_own
 
             #[inline]
             fn values(&self) -> <#system as #private::Fields>::PerField<::core::primitive::f64> {
@@ -69,6 +93,7 @@ pub(super) fn formulas<'d>(
             }
 
             #[inline]
+            #[allow(unused_braces)]
             fn enclose(
                 &self,
                 fields: &<#system as #private::Fields>::PerField<#private::Interval>,

@@ -115,6 +115,7 @@ fn implement(of: &str, over: &str, bounds: Vec<TokenStream>, body: &TokenStream,
     let (header, over) = (names.trait_at(of, names.here), Ident::new(over, names.here));
     quote_spanned! {names.here=>
         #[automatically_derived]
+        #[allow(unused_braces)]
         impl<#parameter, #frequency> #header for #system<#parameter>
         where
             #parameter: #private::#over,

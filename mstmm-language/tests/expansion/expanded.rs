@@ -222,6 +222,7 @@ impl<T: mstmm::__private::Real> mstmm::__private::Fields for DampedMassSystem<T>
     }
 }
 #[automatically_derived]
+#[allow(unused_braces)]
 impl<T, S> mstmm::__private::Chain<S> for DampedMassSystem<T>
 where
     T: mstmm::__private::Real,
@@ -291,6 +292,7 @@ impl mstmm::__private::Formulas for DampedMass {
         mstmm::__private::Build::build_of(self, numbers)
     }
     #[inline]
+    #[allow(unused_braces)]
     fn enclose(
         &self,
         fields: &<DampedMassSystem as mstmm::__private::Fields>::PerField<
@@ -402,6 +404,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::Evaluate<S> for DampedMassSystem<T>
     where
         T: mstmm::__private::Real,
@@ -457,6 +460,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::Characteristic<S> for DampedMassSystem<T>
     where
         T: mstmm::__private::Parameter,
@@ -553,6 +557,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::Tree<S> for DampedMassSystem<T>
     where
         T: mstmm::__private::Real,

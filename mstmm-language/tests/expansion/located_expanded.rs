@@ -128,6 +128,7 @@ impl mstmm::__private::Formulas for Mast {
         mstmm::__private::Build::build_of(self, numbers)
     }
     #[inline]
+    #[allow(unused_braces)]
     fn enclose(
         &self,
         fields: &<MastSystem as mstmm::__private::Fields>::PerField<
@@ -535,6 +536,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::PlacedCharts<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,
@@ -576,6 +578,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::Characteristic<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,
@@ -595,6 +598,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::PlacedMotions<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,
@@ -642,6 +646,7 @@ const _: () = {
         pub const N: usize = 8;
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::PlacedTransfers<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,
@@ -687,6 +692,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::Evaluate<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,
@@ -725,6 +731,7 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    #[allow(unused_braces)]
     impl<T, S> mstmm::__private::PlaneChain<S> for MastSystem<T>
     where
         T: mstmm::__private::Real,

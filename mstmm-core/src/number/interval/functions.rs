@@ -1,7 +1,7 @@
 //! Functions of intervals: by their ends where they are monotone, with their turning points else.
 
 use crate::number::elementary::{Elementary, Function};
-use crate::number::interval::{ALL, Interval, LIBRARY, NONE};
+use crate::number::interval::{Interval, LIBRARY, NONE};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The largest argument of a sine whose turning points are looked for; beyond it their places are not known well enough, and it may be anything from -1 to 1.
@@ -61,20 +61,8 @@ fn turns_in(angles: Interval, quarters: f64) -> [bool; 2] {
 
 impl Interval {
     /// The ends by a function that errs by no more than the library does, within a range.
-    fn by_ends(values: [f64; 2], [least, most]: [f64; 2]) -> Self {
-        let [one, other] = values;
-        Interval::of_all([one, other]).outwards(LIBRARY).within(Interval { low: least, high: most })
-    }
-
-    /// The absolute values.
-    fn absolute(self) -> Self {
-        if self.low >= 0.0 {
-            self
-        } else if self.high <= 0.0 {
-            -self
-        } else {
-            Interval { low: 0.0, high: self.high.max(-self.low) }
-        }
+    fn by_ends(values: [f64; 2], range: [f64; 2]) -> Self {
+        Interval::of_all(values).outwards(LIBRARY).within(range)
     }
 }
 
@@ -84,7 +72,7 @@ impl Elementary for Interval {
     }
 
     fn is_number(self) -> bool {
-        !(self.low.is_nan() || self.high.is_nan())
+        self.low.is_finite() && self.high.is_finite()
     }
 
     fn is_zero(self) -> bool {
@@ -121,7 +109,21 @@ impl Elementary for Interval {
     }
 
     fn sign(self) -> Self {
-        if self.is_number() { Interval { low: self.low.signum(), high: self.high.signum() } } else { NONE }
+        let [below, above] = [self.low <= 0.0, self.high >= 0.0];
+        let sign = Interval { low: if below { -1.0 } else { 1.0 }, high: if above { 1.0 } else { -1.0 } };
+        if self.is_number() { sign } else { NONE }
+    }
+
+    fn absolute(self) -> Self {
+        if !self.is_number() {
+            NONE
+        } else if self.low >= 0.0 {
+            self
+        } else if self.high <= 0.0 {
+            -self
+        } else {
+            Interval { low: 0.0, high: self.high.max(-self.low) }
+        }
     }
 
     fn whole_power(self, exponent: f64) -> Self {
@@ -141,7 +143,10 @@ impl Elementary for Interval {
         let base = if is_even { self.absolute() } else { self };
         let powers = [base.low, base.high].map(|end| end.power(exponent));
         let exact = [base.low, base.high].map(|end| end == 0.0);
-        let wide = Interval::by_ends(powers, [if is_even { 0.0 } else { f64::NEG_INFINITY }, f64::INFINITY]);
+        let range = [if is_even { 0.0 } else { f64::NEG_INFINITY }, f64::INFINITY];
+        // a power by products has a rounding for each factor, which is relative
+        let products = Interval { low: 1.0 - exponent * f64::EPSILON, high: 1.0 + exponent * f64::EPSILON };
+        let wide = (Interval::by_ends(powers, range) * products).within(range);
         Interval { low: if exact[0] { 0.0 } else { wide.low }, high: if exact[1] { 0.0 } else { wide.high } }
     }
 
@@ -159,18 +164,20 @@ impl Elementary for Interval {
         Interval::by_ends([all.low, all.high], [0.0, f64::INFINITY])
     }
 
-    fn angle(self, x: Self) -> Self {
+    fn angle(self, x: Self) -> (Self, [Self; 2]) {
         if !(self.is_number() && x.is_number()) {
-            return NONE;
+            return (NONE, [NONE; 2]);
         }
         // the angle jumps at the negative half of the axis
         if x.low <= 0.0 && self.low <= 0.0 && self.high >= 0.0 {
-            return Interval { low: -PI, high: PI }.outwards(1);
+            return (Interval { low: -PI, high: PI }.outwards(1), [NONE; 2]);
         }
-        let of = |y: f64| [y.angle(x.low), y.angle(x.high)];
+        let of = |y: f64| [x.low, x.high].map(|x| y.angle(x).0);
         let [[a, b], [c, d]] = [of(self.low), of(self.high)];
         let all = Interval::of_all([a, b, c, d]);
-        Interval::by_ends([all.low, all.high], [f64::NEG_INFINITY, f64::INFINITY])
+        let square = self.whole_power(2.0) + x.whole_power(2.0);
+        let value = Interval::by_ends([all.low, all.high], [f64::NEG_INFINITY, f64::INFINITY]);
+        (value, [x / square, -self / square])
     }
 
     fn diagonal(self, other: Self) -> Self {
@@ -198,7 +205,7 @@ impl Elementary for Interval {
             }
             Course::Branches => {
                 let [up, down] = turns_in(self, 1.0);
-                if up || down { ALL } else { at_ends(self) }
+                if up || down { NONE } else { at_ends(self) }
             }
         }
     }

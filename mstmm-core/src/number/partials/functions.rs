@@ -73,7 +73,7 @@ impl<const K: usize, V: Elementary> Partials<K, V> {
         match self.value.is_below(V::constant(0.0)) {
             Some(true) => -self,
             Some(false) => self,
-            None => self.max(-self),
+            None => Partials { value: self.value.absolute(), ..self.hull(-self) },
         }
     }
 
@@ -81,11 +81,9 @@ impl<const K: usize, V: Elementary> Partials<K, V> {
     #[must_use]
     pub fn signum(self) -> Self {
         let sign = self.value.sign();
-        match self.value.is_below(V::constant(0.0)) {
-            Some(_) => Partials { value: sign, partials: [V::constant(0.0); K] },
-            // it may jump up where the number grows
-            None => self.chain(sign, V::constant(0.0).hull(V::constant(f64::INFINITY))),
-        }
+        // about zero it jumps
+        let slope = if (sign - sign).is_zero() { 0.0 } else { f64::NAN };
+        self.chain(sign, V::constant(slope))
     }
 
     /// Degrees as radians.
@@ -123,9 +121,8 @@ impl<const K: usize, V: Elementary> Partials<K, V> {
     /// Angle of the point `(x, y)`, `dφ = (x dy - y dx)/(x² + y²)`; `self` is y.
     #[must_use]
     pub fn atan2(self, x: Self) -> Self {
-        let square = self.value * self.value + x.value * x.value;
-        let value = self.value.angle(x.value);
-        self.chain_of_two(x, value, [x.value / square, -self.value / square])
+        let (value, slopes) = self.value.angle(x.value);
+        self.chain_of_two(x, value, slopes)
     }
 
     /// `sqrt(a² + b²)`, `dy = (a da + b db)/y`.

@@ -8,7 +8,7 @@ use crate::number::interval::Interval;
 use crate::pass::formulas::{Formulas, PerField};
 use crate::pass::searched::Undamped;
 use crate::search::closed_range::ClosedRange;
-use crate::search::undamped::field_box::ends::Ends;
+use crate::search::undamped::field_box::ends::{Ends, check_seen};
 use crate::search::undamped::natural::NaturalFrequencies;
 use crate::search::undamped::tolerance_box::{FrequencyRange, ToleranceBox, collected};
 use core::ops::RangeInclusive;
@@ -21,14 +21,11 @@ pub trait Between: Formulas {
     /// A formula that compares fields, by `if` or `match`, has two answers where a box holds both. It is refused as the program is compiled.
     ///
     /// # Errors
-    /// - [`ToleranceError::Field`] for a field whose values are reversed or not finite.
-    /// - [`ToleranceError::Mixed`] for a field that moves a parameter which acts both ways on frequencies, such as a place.
-    /// - [`ToleranceError::Unbounded`] for a formula that is not defined, or not bounded, in all of the box.
-    /// - [`ToleranceError::Unseen`] where a parameter differs by something else than fields.
-    /// - [`ToleranceError::Parameter`] for a parameter out of its range; [`ToleranceError::NotKnown`] for elements of one's own.
+    /// [`ToleranceError::Field`] for a field whose values are reversed or not finite; [`ToleranceError::Unseen`] where a parameter differs by something else than fields. What no box
+    /// may have is said by the questions that it is asked, since parts may cure it.
     fn between<'m>(low: &'m Self, high: &Self) -> Result<FieldBox<'m, Self>, ToleranceError>
     where
-        Self: Sized,
+        Self: Formulas<Built: Undamped> + Sized,
     {
         const {
             assert!(
@@ -79,11 +76,8 @@ impl<'m, M: Formulas> FieldBox<'m, M> {
             }
             *own = Interval::between(*low, *high);
         }
-        let whole = FieldBox { model: low, fields, parts: M::Built::per_field(1) };
-        let ends = Ends::of(low, &fields)?;
-        ends.check_holds(low, high)?;
-        ends.systems(low)?;
-        Ok(whole)
+        check_seen(low, high)?;
+        Ok(FieldBox { model: low, fields, parts: M::Built::per_field(1) })
     }
 
     /// The box with a field in parts, each as long. The range over the whole box is that of all parts together, and is the narrower the more there are. Each part costs two searches; of
@@ -104,40 +98,46 @@ impl<'m, M: Formulas> FieldBox<'m, M> {
     /// Whether both ends of each range are attained, but for the rounding of formulas: by two models of the box, one of which is the softest and the other one the stiffest of all.
     ///
     /// # Errors
-    /// As [`Between::between`], for a part.
+    /// As [`first_frequencies`](FieldBox::first_frequencies), but for searches.
     pub fn is_attained(&self) -> Result<bool, ToleranceError> {
-        self.of_parts(|ends| Ok(ends.is_attained), |all, own| all && own)
+        for ends in self.ends() {
+            if !ends?.is_attained {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
-    /// What all parts have together, given what each has and how two join.
-    fn of_parts<R>(
-        &self,
-        of: impl Fn(&Ends<M>) -> Result<R, ToleranceError>,
-        join: impl Fn(R, R) -> R,
-    ) -> Result<R, ToleranceError> {
-        let mut place = M::Built::per_field(0_usize);
-        let of_part = |place: &PerField<M, usize>| {
+    /// The ends of all parts, one after the other.
+    fn ends(&self) -> impl Iterator<Item = Result<Ends<M>, ToleranceError>> {
+        let mut next = Some(M::Built::per_field(0_usize));
+        core::iter::from_fn(move || {
+            let mut place = next?;
             let mut own = self.fields;
             let parts = place.as_ref().iter().zip(self.parts.as_ref());
             for (field, (part, parts)) in own.as_mut().iter_mut().zip(parts) {
                 *field = part_of(*field, *part, *parts);
             }
-            of(&Ends::of(self.model, &own)?)
-        };
-        let mut all = of_part(&place)?;
-        while next_combination(place.as_mut(), self.parts.as_ref()) {
-            all = join(all, of_part(&place)?);
-        }
-        Ok(all)
+            next = next_combination(place.as_mut(), self.parts.as_ref()).then_some(place);
+            Some(Ends::of(self.model, &own))
+        })
     }
 
-    /// What the boxes of all parts have together.
+    /// The boxes of all parts.
+    fn boxes(&self) -> impl Iterator<Item = Result<ToleranceBox<M::Built>, ToleranceError>> {
+        self.ends().map(|ends| ends?.systems(self.model))
+    }
+
+    /// What all boxes have together, given what each has and how two join.
     fn of_boxes<R>(
         &self,
         of: impl Fn(&ToleranceBox<M::Built>) -> Result<R, ToleranceError>,
         join: impl Fn(R, R) -> R,
     ) -> Result<R, ToleranceError> {
-        self.of_parts(|ends| of(&ends.systems(self.model)?), join)
+        let mut parts = self.boxes().map(|part| of(&part?));
+        // there is one part at least
+        let first = parts.next().unwrap_or(Err(ToleranceError::NoParts { field: "" }))?;
+        parts.try_fold(first, |all, own| Ok(join(all, own?)))
     }
 }
 
@@ -145,7 +145,10 @@ impl<M: Formulas<Built: NaturalFrequencies + Undamped>> FieldBox<'_, M> {
     /// The ranges of the first `N` frequencies, each of a multiple one by itself.
     ///
     /// # Errors
-    /// [`ToleranceError::Search`] as [`first_frequencies`](NaturalFrequencies::first_frequencies) of both systems.
+    /// - [`ToleranceError::Mixed`] for a field that moves a parameter which acts both ways on frequencies, such as a place; [`ToleranceError::OwnElement`] for one of an element of one's own.
+    /// - [`ToleranceError::Unbounded`] for a formula that is not defined, or not bounded, in all of the box; [`ToleranceError::Parameter`] for a parameter that may be out of its range.
+    ///   More [parts](FieldBox::in_parts) may cure both.
+    /// - [`ToleranceError::Search`] as [`first_frequencies`](NaturalFrequencies::first_frequencies) of both systems.
     pub fn first_frequencies<const N: usize>(&self) -> Result<List<FrequencyRange<f64>, N>, ToleranceError> {
         self.of_boxes(
             |own| own.first_frequencies::<N>(),
@@ -156,7 +159,7 @@ impl<M: Formulas<Built: NaturalFrequencies + Undamped>> FieldBox<'_, M> {
     /// The ranges of the first `count` frequencies in a vector, as [`first_frequencies`](FieldBox::first_frequencies).
     ///
     /// # Errors
-    /// [`ToleranceError::Search`] as [`frequencies`](NaturalFrequencies::frequencies) of both systems.
+    /// As [`first_frequencies`](FieldBox::first_frequencies).
     #[cfg(feature = "std")]
     pub fn frequencies(&self, count: usize) -> Result<std::vec::Vec<FrequencyRange<f64>>, ToleranceError> {
         self.of_boxes(
@@ -168,7 +171,7 @@ impl<M: Formulas<Built: NaturalFrequencies + Undamped>> FieldBox<'_, M> {
     /// How many frequencies a model of the box may have below ω [rad/s].
     ///
     /// # Errors
-    /// [`ToleranceError::Search`] as [`count_below`](NaturalFrequencies::count_below) of both systems.
+    /// As [`first_frequencies`](FieldBox::first_frequencies).
     pub fn count_below(&self, omega: f64) -> Result<RangeInclusive<u64>, ToleranceError> {
         self.of_boxes(
             |own| own.count_below(omega),
@@ -179,10 +182,15 @@ impl<M: Formulas<Built: NaturalFrequencies + Undamped>> FieldBox<'_, M> {
     /// Whether no model of the box has a frequency in a range [rad/s], as [`ToleranceBox::is_free_of`] of each part.
     ///
     /// # Errors
-    /// As [`ToleranceBox::is_free_of`].
+    /// As [`ToleranceBox::is_free_of`] and [`first_frequencies`](FieldBox::first_frequencies).
     pub fn is_free_of(&self, range: impl ClosedRange<f64>) -> Result<bool, ToleranceError> {
         let range = range.closed();
-        self.of_boxes(|own| own.is_free_of(range.clone()), |all, own| all && own)
+        for part in self.boxes() {
+            if !part?.is_free_of(range.clone())? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Emits the derivatives of a model with locations with respect to its fields: the chain rule from members, places and masses.
 
-use super::super::formulas::of_element;
+use super::super::formulas::{Formula, of_element};
 use super::super::sensitivity::{fields, variables};
 use super::super::{Names, implement};
 use super::numbers::{Number, geometry};
@@ -54,7 +54,7 @@ pub(super) fn formulas(
     if derivatives.are_none() {
         return TokenStream::new();
     }
-    let of_sketch = geometry(skeleton).map(|number| formula(number?, derivatives));
+    let of_sketch = geometry(skeleton).map(|number| formula(number?, derivatives).map(Formula::of_sketch));
     let of_members = skeleton.members.iter().filter_map(|member| member.what.element());
     let of_members = of_members.flat_map(|element| of_element(element, derivatives));
     super::super::formulas::formulas(model, of_sketch.chain(of_members), derivatives, names)

@@ -7,6 +7,7 @@
 //! Then each parameter of each model of the box is between those of both ends, and acts one way: the ends dominate all of them.
 
 use crate::model::{Fields, NamedFields, Spot, ToleranceError};
+use crate::number::elementary::Elementary;
 use crate::number::interval::Interval;
 use crate::pass::formulas::{Formulas, PerField};
 use crate::search::undamped::domination::check_domination;
@@ -34,8 +35,17 @@ impl Trend {
         }
     }
 
+    /// The trend along a field; none along a field that is known.
+    fn along_field(field: Interval, number: Interval, slope: Interval) -> Self {
+        match (field.low == field.high, number.is_number()) {
+            (true, _) => Trend::Flat,
+            (false, true) => Trend::of(slope),
+            (false, false) => Trend::Either,
+        }
+    }
+
     /// The trend of what goes with a number as that goes with a field.
-    fn along(self, acts: Self) -> Self {
+    fn through(self, acts: Self) -> Self {
         match (acts, self) {
             (Trend::Flat, _) => Trend::Flat,
             (Trend::Down, Trend::Up) => Trend::Down,
@@ -86,7 +96,7 @@ impl<M: Formulas> Ends<M> {
                     ends.marks.as_mut()[place] = DONE;
                     let acts = ends.order(model, &base, place, trends.as_ref())?;
                     for (all, own) in together.as_mut().iter_mut().zip(trends.as_ref()) {
-                        *all = all.with(own.along(acts));
+                        *all = all.with(own.through(acts));
                     }
                 }
             }
@@ -95,17 +105,21 @@ impl<M: Formulas> Ends<M> {
         Ok(ends)
     }
 
-    /// The trends of the first number that is not seen yet, if there is one; it is marked, and with it all others of these trends.
+    /// The trends of the first number that is not seen yet, if there is one; it is marked, and with it all others of these trends. A number whose fields are known stays what it is.
     fn mark_next(&mut self, model: &M, fields: &PerField<M, Interval>) -> Option<PerField<M, Trend>> {
         let mut next: Option<PerField<M, Trend>> = None;
         let marks = self.marks.as_mut();
-        model.enclose(fields, &mut |place, _, slopes| {
+        model.enclose(fields, &mut |place, number, slopes| {
             if marks[place] != UNSEEN {
                 return;
             }
             let mut own = M::Built::per_field(Trend::Flat);
-            own.as_mut().iter_mut().zip(slopes).for_each(|(trend, slope)| *trend = Trend::of(*slope));
-            if next.get_or_insert(own).as_ref() == own.as_ref() {
+            for ((trend, field), slope) in own.as_mut().iter_mut().zip(fields.as_ref()).zip(slopes) {
+                *trend = Trend::along_field(*field, number, *slope);
+            }
+            if own.as_ref().iter().all(|trend| *trend == Trend::Flat) {
+                marks[place] = DONE;
+            } else if next.get_or_insert(own).as_ref() == own.as_ref() {
                 marks[place] = AT_WORK;
             }
         });
@@ -148,37 +162,49 @@ impl<M: Formulas> Ends<M> {
         if !(low <= high && low.is_finite() && high.is_finite()) {
             return Err(ToleranceError::Unbounded { field, low, high });
         }
-        if low == high {
-            return Ok(Trend::Flat);
+        if M::is_of_own_element(place) {
+            return Err(ToleranceError::OwnElement { field });
         }
-        let halves = [[low, 0.5 * low + 0.5 * high], [0.5 * low + 0.5 * high, high]];
-        let dominates = |[soft, stiff]: [f64; 2]| compare(model, base, place, [soft, stiff]);
-        let up = halves.into_iter().try_for_each(dominates);
-        let down = halves.into_iter().try_for_each(|[low, high]| dominates([high, low]));
-        match (up, down) {
-            (Ok(()), Ok(())) => Ok(Trend::Flat),
-            (Ok(()), Err(_)) => Ok(Trend::Up),
-            (Err(_), Ok(())) => {
-                self.soft.as_mut()[place] = high;
-                self.stiff.as_mut()[place] = low;
-                Ok(Trend::Down)
-            }
-            (Err(error), Err(_)) => Err(match place_of(error) {
-                Some((element, parameter)) => ToleranceError::Mixed { field, element, parameter },
-                None => error,
-            }),
+        let middle = 0.5 * low + 0.5 * high;
+        let is_dominated = |soft, stiff| compare(model, base, place, [soft, stiff]);
+        let up = is_dominated(low, middle).and_then(|()| is_dominated(middle, high));
+        let Err(error) = up else { return Ok(Trend::Up) };
+        if is_dominated(high, middle).and_then(|()| is_dominated(middle, low)).is_ok() {
+            self.soft.as_mut()[place] = high;
+            self.stiff.as_mut()[place] = low;
+            return Ok(Trend::Down);
         }
+        Err(match place_of(error) {
+            Some((element, parameter)) => ToleranceError::Mixed { field, element, parameter },
+            None => error,
+        })
     }
 
-    /// Checks that another model is in the box, where it differs by what may move frequencies.
-    pub(crate) fn check_holds(&self, model: &M, other: &M) -> Result<(), ToleranceError> {
-        let (base, numbers) = (model.numbers(), other.numbers());
-        for (place, (own, number)) in base.as_ref().iter().zip(numbers.as_ref()).enumerate() {
-            let [soft, stiff] = [&self.soft, &self.stiff].map(|ends| ends.as_ref()[place]);
-            let is_formula = self.marks.as_ref()[place] != UNSEEN;
-            if own == number || is_formula && Interval::between(soft, stiff).holds(*number) {
-                continue;
-            }
+    /// The systems at the ends.
+    pub(crate) fn systems(&self, model: &M) -> Result<ToleranceBox<M::Built>, ToleranceError> {
+        ToleranceBox::between(model.built(&self.soft)?, model.built(&self.stiff)?)
+    }
+}
+
+/// Checks that another model differs from one by fields alone, as far as something may move frequencies: at its fields each formula of the first model has its number.
+///
+/// # Errors
+/// [`ToleranceError::Unseen`] for the first number that differs by something else.
+pub(crate) fn check_seen<M: Formulas>(model: &M, other: &M) -> Result<(), ToleranceError> {
+    let (base, numbers) = (model.numbers(), other.numbers());
+    let values = other.values();
+    let mut fields = M::Built::per_field(Interval::default());
+    fields.as_mut().iter_mut().zip(values.as_ref()).for_each(|(field, value)| *field = Interval::point(*value));
+    let mut is_seen = base;
+    is_seen.as_mut().iter_mut().zip(base.as_ref()).zip(numbers.as_ref()).for_each(|((seen, own), number)| {
+        *seen = f64::from(u8::from(own == number));
+    });
+    let seen = is_seen.as_mut();
+    model.enclose(&fields, &mut |place, number, _| {
+        seen[place] = f64::from(u8::from(number.holds(numbers.as_ref()[place])))
+    });
+    for (place, (own, number)) in base.as_ref().iter().zip(numbers.as_ref()).enumerate() {
+        if is_seen.as_ref()[place] == 0.0 {
             let apart = [[*own, *number], [*number, *own]];
             let moved = apart.into_iter().try_for_each(|ends| compare(model, &base, place, ends));
             moved.map_err(|error| match place_of(error) {
@@ -186,13 +212,8 @@ impl<M: Formulas> Ends<M> {
                 None => error,
             })?;
         }
-        Ok(())
     }
-
-    /// The systems at the ends.
-    pub(crate) fn systems(&self, model: &M) -> Result<ToleranceBox<M::Built>, ToleranceError> {
-        ToleranceBox::between(model.built(&self.soft)?, model.built(&self.stiff)?)
-    }
+    Ok(())
 }
 
 /// Checks that a system with one number is dominated by that with another one in its place.
@@ -210,7 +231,7 @@ fn compare<M: Formulas>(model: &M, base: &M::Numbers, place: usize, ends: [f64; 
 fn place_of(error: ToleranceError) -> Option<(Spot, &'static str)> {
     match error {
         ToleranceError::NotOrdered { element, parameter, .. } => Some((element, parameter)),
-        ToleranceError::NotAlike { at } => Some((at, "place")),
+        ToleranceError::NotAlike { at } => Some((at, "geometry")),
         _ => None,
     }
 }
