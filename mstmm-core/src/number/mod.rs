@@ -17,6 +17,7 @@ pub(crate) mod gauss;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;
+pub(crate) mod logarithms;
 pub(crate) mod oscillation;
 pub(crate) mod packed;
 pub(crate) mod partials;
@@ -34,6 +35,7 @@ pub(crate) mod wave_functions;
 pub(crate) mod waves;
 
 pub(crate) use compiled::for_compiled_numbers;
+pub(crate) use constants::HALF_PI;
 #[cfg(test)]
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{
@@ -50,6 +52,7 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
+pub(crate) use logarithms::{angle, logarithm_of_ratio};
 pub(crate) use packed::{InLanes, Packed, Parameters};
 pub(crate) use partials::Partials;
 pub(crate) use products::{Operation, Products};
