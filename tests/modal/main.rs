@@ -13,6 +13,7 @@ mod numbers;
 mod participation;
 mod published;
 mod random;
+mod random_bounds;
 mod random_vibration;
 mod ranges;
 mod refused_forces;

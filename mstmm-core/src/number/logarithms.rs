@@ -1,5 +1,6 @@
 //! Logarithms and angles to all digits of a number, from those of an `f64`.
 
+use crate::number::constants::HALF_PI;
 use crate::number::exponent::binary_exponent;
 use crate::number::floats::{argument, logarithm};
 use crate::number::frequency::Real;
@@ -30,6 +31,11 @@ pub(crate) fn logarithm_of_ratio<T: Real>(to: T, from: T) -> T {
     let terms = 2 - binary_exponent(T::EPSILON) / DIGITS_OF_A_TERM;
     let series = (0..terms).rev().fold(T::zero(), |sum, n| sum * square + T::one() / T::from_f64(f64::from(2 * n + 1)));
     near + twice(part * series)
+}
+
+/// 2π, in two words.
+pub(crate) fn turn<T: Real>() -> T {
+    T::of_words([HALF_PI[0], HALF_PI[1]]) * T::from_f64(4.0)
 }
 
 /// The argument of a complex number, from -π to π.

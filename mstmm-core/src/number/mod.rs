@@ -35,7 +35,6 @@ pub(crate) mod wave_functions;
 pub(crate) mod waves;
 
 pub(crate) use compiled::for_compiled_numbers;
-pub(crate) use constants::HALF_PI;
 #[cfg(test)]
 pub(crate) use double_double::DoubleDouble;
 pub(crate) use doubt::{
@@ -52,7 +51,7 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
-pub(crate) use logarithms::{angle, logarithm_of_ratio};
+pub(crate) use logarithms::{angle, logarithm_of_ratio, turn};
 pub(crate) use packed::{InLanes, Packed, Parameters};
 pub(crate) use partials::Partials;
 pub(crate) use products::{Operation, Products};

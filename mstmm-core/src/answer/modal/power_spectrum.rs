@@ -44,7 +44,7 @@ pub(crate) struct Piece<T> {
     /// Both ends \[Hz\].
     pub(crate) ends: [T; 2],
     anchor: T,
-    /// Over the largest level of the spectrum.
+    /// Over another level, such as the largest one.
     level: T,
     pub(crate) slope: T,
 }
@@ -106,12 +106,16 @@ impl<'a, T: Real> PowerSpectrum<'a, T> {
         if let Shape::White { level } = self.shape {
             return if hertz >= T::zero() { level * self.factor } else { T::zero() };
         }
-        let holds = |piece: &Piece<T>| hertz >= piece.ends[0] && hertz <= piece.ends[1];
-        let level = self.pieces().find(holds).map_or(T::zero(), |piece| piece.at(hertz));
-        level * self.largest() * self.factor
+        let number = match self.shape {
+            Shape::Rows(rows) => rows.partition_point(|(row, _)| *row < hertz).saturating_sub(1),
+            Shape::Band { .. } | Shape::White { .. } => 0,
+        };
+        let piece = self.shape.piece(number, T::one());
+        let own = piece.filter(|piece| hertz >= piece.ends[0] && hertz <= piece.ends[1]);
+        own.map_or(T::zero(), |piece| piece.at(hertz) * self.factor)
     }
 
-    /// The root mean square of the load: the root of the area below the spectrum. That of white noise is infinite.
+    /// The root mean square of the load: the root of the area below the spectrum. That of white noise is infinite; a factor that is negative has none, and it is no number.
     pub fn rms(&self) -> T {
         if self.is_white() {
             return T::from_f64(f64::INFINITY);
@@ -146,21 +150,37 @@ impl<'a, T: Real> PowerSpectrum<'a, T> {
         }
     }
 
+    /// Its lowest and its highest frequency \[Hz\].
+    pub(crate) fn ends(&self) -> [T; 2] {
+        match self.shape {
+            Shape::Rows([(start, _), .., (end, _)]) => [*start, *end],
+            Shape::Band { start, end, .. } => [start, end],
+            Shape::Rows(_) | Shape::White { .. } => [T::zero(), T::from_f64(f64::INFINITY)],
+        }
+    }
+
     /// The parts between rows; of white noise none.
     pub(crate) fn pieces(&self) -> impl Iterator<Item = Piece<T>> {
         let (shape, largest) = (self.shape, self.largest());
-        (0..).map_while(move |number| match shape {
+        (0..).map_while(move |number| shape.piece(number, largest))
+    }
+}
+
+impl<T: Real> Shape<'_, T> {
+    /// A part between two rows, its level over another one.
+    fn piece(&self, number: usize, largest: T) -> Option<Piece<T>> {
+        match *self {
             Shape::Rows(rows) => {
                 let (start, end) = (rows.get(number)?, rows.get(number + 1)?);
                 let slope = logarithm_of_ratio(end.1, start.1) / logarithm_of_ratio(end.0, start.0);
                 let (anchor, level) = if end.1 > start.1 { *end } else { *start };
                 Some(Piece { ends: [start.0, end.0], anchor, level: level / largest, slope })
             }
-            Shape::Band { start, end, .. } if number == 0 => {
-                Some(Piece { ends: [start, end], anchor: end, level: T::one(), slope: T::zero() })
+            Shape::Band { start, end, level } if number == 0 => {
+                Some(Piece { ends: [start, end], anchor: end, level: level / largest, slope: T::zero() })
             }
             Shape::Band { .. } | Shape::White { .. } => None,
-        })
+        }
     }
 }
 
@@ -174,7 +194,7 @@ fn positive<T: Real>(level: T) -> Result<(), RandomError> {
 }
 
 impl<T: Real> Piece<T> {
-    /// The level at a frequency \[Hz\], over the largest of the spectrum.
+    /// The level at a frequency \[Hz\], over the other one.
     pub(crate) fn at(&self, hertz: T) -> T {
         if self.slope.is_zero() {
             return self.level;

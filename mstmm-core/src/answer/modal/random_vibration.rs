@@ -7,7 +7,7 @@ use crate::answer::modal::power_spectrum::{Piece, PowerSpectrum};
 use crate::answer::modal::response::{ModalResponse, Term};
 use crate::answer::modal::segment::{FAR, Segment};
 use crate::model::{MotionError, RandomError};
-use crate::number::{HALF_PI, Real, Scalar, binary_exponent, larger, modulus, smaller, twice};
+use crate::number::{Real, Scalar, binary_exponent, larger, modulus, smaller, turn, twice};
 use num_complex::Complex;
 use num_traits::Zero;
 
@@ -30,18 +30,14 @@ pub struct RandomResponse<T> {
 }
 
 impl<T: Real> RandomResponse<T> {
-    /// How often per second the entry crosses zero upwards, `σ_rate/(2π σ)`, of a normal distribution: about how many peaks there are. None where the rate is infinite.
+    /// How often per second the entry crosses zero upwards, `σ_rate/(2π σ)`, of a normal distribution: of a narrow band how many peaks there are. None where the rate is infinite, and
+    /// where nothing moves.
     ///
     /// # Source
     /// Rice, Mathematical analysis of random noise, 1945.
     pub fn up_crossings_hertz(&self) -> Option<T> {
-        self.rate_rms.map(|rate| rate / (turn::<T>() * self.rms))
+        self.rate_rms.filter(|_| !self.rms.is_zero()).map(|rate| rate / (turn::<T>() * self.rms))
     }
-}
-
-/// 2π.
-fn turn<T: Real>() -> T {
-    T::of_words([HALF_PI[0], HALF_PI[1]]) * T::from_f64(4.0)
 }
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
@@ -80,26 +76,23 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         if spectrum.is_white() {
             return self.under_white_noise(spectrum);
         }
-        let (mut lowest, mut highest) = (None, T::zero());
-        for piece in spectrum.pieces() {
-            lowest = lowest.or(Some(piece.ends[0]));
-            highest = piece.ends[1];
-        }
-        let ends = [lowest.unwrap_or(T::zero()), highest].map(|hertz| hertz * turn());
-        self.check_decay(&Segment::new(ends), ends[0].is_zero())?;
-        let (_, size) = self.sum_at(Complex::new(T::zero(), ends[1]));
-        let at_once = self.residual.abs() + (self.flow * ends[1]).abs() + self.away().abs() / (ends[1] * ends[1]);
+        let ends @ [start, end] = spectrum.ends();
+        let own = self.in_hertz();
+        own.check_decay(&Segment::new(ends), start.is_zero())?;
+        let (_, size) = own.sum_at(Complex::new(T::zero(), end));
+        let at_once = own.residual.abs() + (own.flow * end).abs() + own.away().abs() / (end * end);
         let exponent = binary_exponent(size + at_once.size());
-        let scaled = self.scaled(-exponent);
+        let own = own.scaled(-exponent);
         let mut sums = [T::zero(); 2];
         for piece in spectrum.pieces() {
-            scaled.add_piece(&piece, &mut sums)?;
+            own.add_piece(&piece, &mut sums)?;
         }
         let [rms, rate] = sums.map(|sum| {
+            // of parts that are zero rounding may be less
             let sum = if sum < T::zero() { T::zero() } else { sum };
-            spectrum.root_of(sum / turn()).times_power_of_two(exponent)
+            spectrum.root_of(sum).times_power_of_two(exponent)
         });
-        checked(rms, Some(rate))
+        checked(rms, Some(rate * turn()))
     }
 
     /// The power spectrum of the entry at a frequency \[Hz\], `|H|² G`: its mean square per hertz.
@@ -117,9 +110,9 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         if level.is_zero() {
             return Ok(level);
         }
-        let omega = hertz * turn();
-        self.check_decay(&Segment::new([omega, omega]), hertz.is_zero())?;
-        let response = self.whole_at(Complex::new(T::zero(), omega)).map_err(|_| RandomError::AtRest)?;
+        let own = self.in_hertz();
+        own.check_decay(&Segment::new([hertz, hertz]), hertz.is_zero())?;
+        let response = own.whole_at(Complex::new(T::zero(), hertz)).map_err(|_| RandomError::AtRest)?;
         let root = modulus(response) * level.sqrt();
         let power = root * root;
         if power.size().is_finite() { Ok(power) } else { Err(RandomError::Overflow) }
@@ -135,6 +128,14 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         }
         let zero = T::zero();
         Ok(ModalResponse { residual: zero, lag: zero, ..*self })
+    }
+
+    /// The same response of frequencies in hertz, to which the ends of pieces are exact: λ is counted in turns, `λ/2π`.
+    fn in_hertz(&self) -> Self {
+        let turn = turn::<T>();
+        let terms = self.terms.map(|term| Term { lambda: term.lambda / turn, residue: term.residue / turn, ..term });
+        let [rigid, carried] = [self.rigid, self.carried].map(|away| away / (turn * turn));
+        ModalResponse { terms, rigid, carried, lag: self.lag * turn, flow: self.flow * turn, ..*self }
     }
 
     /// The response times a power of two.
@@ -154,7 +155,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
         }
     }
 
-    /// Checks that all modes within a range decay, and that nothing moves off if it begins at rest.
+    /// Checks that all modes within a range of hertz decay, and that nothing moves off if it begins at rest.
     fn check_decay(&self, range: &Segment<T>, begins_at_rest: bool) -> Result<(), RandomError> {
         let drifts = self.terms.iter().any(|term| term.lambda.is_zero()) || !self.away().is_zero();
         if begins_at_rest && drifts {
@@ -165,21 +166,21 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             is_undamped && range.holds(term.lambda.im)
         };
         match self.terms.iter().find(is_free) {
-            Some(term) => Err(RandomError::Undamped { omega: term.lambda.im.to_f64() }),
+            Some(term) => Err(RandomError::Undamped { omega: (term.lambda.im * turn()).to_f64() }),
             None => Ok(()),
         }
     }
 
-    /// Adds `∫ G |H|² dω` and `∫ ω² G |H|² dω` over a piece, in segments as wide as they may be.
+    /// Adds `∫ G |H|² df` and `∫ f² G |H|² df` over a piece, in segments as wide as they may be.
     fn add_piece(&self, piece: &Piece<T>, sums: &mut [T; 2]) -> Result<(), RandomError> {
-        let [mut from, end] = piece.ends.map(|hertz| hertz * turn());
+        let [mut from, end] = piece.ends;
         let mut add = |segment: &Segment<T>, level: T, slope: T| {
             let parts = self.mean_squares(segment, slope);
             *sums = [sums[0] + parts[0] * level, sums[1] + parts[1] * level];
         };
         if from.is_zero() {
             from = smaller(self.lowest() / T::from_f64(FAR), end);
-            add(&Segment::new([T::zero(), from]), piece.at(from / turn()), T::zero());
+            add(&Segment::new([T::zero(), from]), piece.at(from), T::zero());
         }
         // the rate has two powers more
         let steepest = T::from_f64(piece.slope.size() + 2.0);
@@ -193,11 +194,12 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
                 width = (to - from) * T::from_f64(0.5);
                 to = from + width;
                 segment = Segment::new([from, to]);
+                // of a mode that is no number
+                if !(to > from) {
+                    return Err(RandomError::Overflow);
+                }
             }
-            if !(to > from) {
-                return Err(RandomError::Overflow);
-            }
-            add(&segment, piece.at(segment.middle() / turn()), piece.slope);
+            add(&segment, piece.at(segment.middle()), piece.slope);
             from = to;
         }
         Ok(())
@@ -214,8 +216,8 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     fn under_white_noise(&self, spectrum: &PowerSpectrum<'_, T>) -> Result<RandomResponse<T>, RandomError> {
         let late = self.late();
         let terms = || self.terms.iter().chain(&late);
-        let everywhere = Segment::new([T::zero(), T::from_f64(f64::INFINITY)]);
-        self.check_decay(&everywhere, true)?;
+        let everywhere = Segment::new(spectrum.ends());
+        self.in_hertz().check_decay(&everywhere, true)?;
         let size = terms().fold(0.0, |size, term| size + (term.residue / term.lambda).size());
         let at_once = larger(self.flow.abs(), if late.is_some() { T::zero() } else { self.residual.abs() });
         if at_once.size() > ROUNDINGS * T::EPSILON * size {
@@ -258,3 +260,6 @@ fn checked<T: Real>(rms: T, rate_rms: Option<T>) -> Result<RandomResponse<T>, Ra
     let are = is_one(rms) && rate_rms.is_none_or(is_one);
     are.then_some(RandomResponse { rms, rate_rms }).ok_or(RandomError::Overflow)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,10 +1,10 @@
 //! The mean square of a response over a short range of frequencies, in closed form.
 //!
-//! Over a range of half width h around a, with `ω = a + h t`, the response is a power series in t beside poles `ρ/(t - q)` of the modes in it. With the far part F and the near poles
+//! Frequencies f are in hertz, and λ is counted in turns: `λ = if`. Over a range of half width h around a, with `f = a + h t`, the response is a power series in t beside poles `ρ/(t - q)` of the modes in it. With the far part F and the near poles
 //!
 //! `|H|² = |F|² + 2 Re Σ (F̄ + Σ_m ρ̄_m/(q_n - q̄_m)) ρ_n/(t - q_n)`,
 //!
-//! since `1/((t - q_n)(t - q̄_m))` is a difference of two poles over `q_n - q̄_m`, whose imaginary part is not small: both modes are damped. The level and the powers of ω are a
+//! since `1/((t - q_n)(t - q̄_m))` is a difference of two poles over `q_n - q̄_m`, whose imaginary part is not small: both modes are damped. The level and the powers of f are a
 //! binomial series in t. A polynomial over `t - q` is a polynomial beside its value at q over `t - q`, whose integral is a logarithm.
 //!
 //! A pole is far that is [`FAR`] half widths away: its series loses a factor of `1/FAR` with each term, and all numbers are exact to rounding once `FAR^-terms` is.
@@ -35,7 +35,7 @@ const ROUNDINGS: f64 = 8.0;
 /// A power series in t.
 type Series<T> = [Complex<T>; MOST_TERMS];
 
-/// A range of frequencies ω, within an eighth of itself or from zero on.
+/// A range of frequencies, within an eighth of itself or from zero on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<T> {
     ends: [T; 2],
@@ -65,7 +65,7 @@ fn pole<T: Real>(lambda: Complex<T>) -> Complex<T> {
 impl<T: Real> Segment<T> {
     pub(super) fn new(ends @ [start, end]: [T; 2]) -> Self {
         let half = (end - start) * T::from_f64(0.5);
-        // from zero on there is no binomial series: powers of ω are those of t
+        // from zero on there is no binomial series: powers of f are those of t
         let [middle, half] = if start.is_zero() { [start, end] } else { [start + half, half] };
         Segment { ends, middle, half }
     }
@@ -84,20 +84,20 @@ impl<T: Real> Segment<T> {
     }
 
     /// Whether a frequency is inside, to rounding.
-    pub(super) fn holds(&self, omega: T) -> bool {
+    pub(super) fn holds(&self, hertz: T) -> bool {
         let rounding = T::from_f64(ROUNDINGS * T::EPSILON);
         let [start, end] = self.ends;
-        omega >= start - start * rounding && omega <= end + end * rounding
+        hertz >= start - start * rounding && hertz <= end + end * rounding
     }
 
     /// A frequency as t.
-    fn place(&self, omega: T) -> T {
-        (omega - self.middle) / self.half
+    fn place(&self, hertz: T) -> T {
+        (hertz - self.middle) / self.half
     }
 
     /// The integrals of the powers of t.
     fn moments(&self) -> [T; MOST_TERMS] {
-        let [start, end] = self.ends.map(|omega| self.place(omega));
+        let [start, end] = self.ends.map(|hertz| self.place(hertz));
         let mut powers = [start, end];
         let mut moments = [T::zero(); MOST_TERMS];
         for (power, moment) in moments[..terms::<T>()].iter_mut().enumerate() {
@@ -107,7 +107,7 @@ impl<T: Real> Segment<T> {
         moments
     }
 
-    /// `(ω/scale)^power` times a level that goes with `ω^slope` and is 1 in the middle.
+    /// `(f/scale)^power` times a level that goes with `f^slope` and is 1 in the middle.
     fn weight(&self, slope: T, power: u8) -> [T; MOST_TERMS] {
         let mut weight = [T::zero(); MOST_TERMS];
         if self.middle.is_zero() {
@@ -123,12 +123,12 @@ impl<T: Real> Segment<T> {
         weight
     }
 
-    /// The frequency to which powers of ω are relative.
+    /// The frequency to which powers of f are relative.
     fn scale(&self) -> T {
         if self.middle.is_zero() { self.half } else { self.middle }
     }
 
-    /// Adds `g/(ω - p)` to a series.
+    /// Adds `g/(f - p)` to a series.
     fn add_simple(&self, series: &mut Series<T>, p: Complex<T>, g: Complex<T>) {
         let from = Complex::from(self.middle) - p;
         let ratio = -(Complex::from(self.half) / from);
@@ -143,7 +143,7 @@ impl<T: Real> Segment<T> {
     fn add_mode(&self, series: &mut Series<T>, term: &Term<T>) {
         let p = pole(term.lambda);
         let [own, mirrored] = [Complex::from(self.middle) - p, Complex::from(self.middle) + p.conj()];
-        let first = -(own * mirrored).inv();
+        let first = -(own.inv() * mirrored.inv());
         let step = |numerator: Complex<T>| numerator * first;
         let [below, before] = [own, mirrored].map(|from| Complex::from(self.half) / from);
         let (sum, product) = (below + before, below * before);
@@ -159,10 +159,10 @@ impl<T: Real> Segment<T> {
         }
     }
 
-    /// A pole of a mode, where `∫ dω/(ω - p)` is a logarithm: by the ends themselves, so that neighbours fit together however narrow the mode is.
+    /// A pole of a mode, where `∫ df/(f - p)` is a logarithm: by the ends themselves, so that neighbours fit together however narrow the mode is.
     fn near(&self, term: &Term<T>) -> Near<T> {
         let p = pole(term.lambda);
-        let [from, to] = self.ends.map(|omega| Complex::from(omega) - p);
+        let [from, to] = self.ends.map(|hertz| Complex::from(hertz) - p);
         let turned = Complex::new(from.re * to.re + p.im * p.im, p.im * (self.ends[1] - self.ends[0]));
         let logarithm = logarithm_of_ratio(to.norm_sqr(), from.norm_sqr()) * T::from_f64(0.5);
         let [place, residue] = [p - self.middle, half_turned(term.residue)].map(|z| z / self.half);
@@ -176,7 +176,7 @@ fn half_turned<T: Real>(z: Complex<T>) -> Complex<T> {
 }
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
-    /// `∫ |H|² G dω` and `∫ ω² |H|² G dω` over a segment that suits all modes, for a level G that goes with `ω^slope` and is 1 in the middle.
+    /// `∫ |H|² G df` and `∫ f² |H|² G df` over a segment that suits all modes, for a level G that goes with `f^slope` and is 1 in the middle.
     pub(super) fn mean_squares(&self, segment: &Segment<T>, slope: T) -> [T; 2] {
         let mut near: List<Near<T>, N> = List::new();
         let far = self.far_part(segment, &mut near);
