@@ -70,7 +70,7 @@ impl<'a, T: Real> PowerSpectrum<'a, T> {
             before = Some(*hertz);
         }
         let spectrum = PowerSpectrum { shape: Shape::Rows(rows), factor: T::one() };
-        let is_steep = |piece: Piece<T>| !(piece.slope.size() < STEEPEST / T::EPSILON);
+        let is_steep = |piece: Piece<T>| piece.slope.size() >= STEEPEST / T::EPSILON;
         match spectrum.pieces().position(is_steep) {
             Some(piece) => Err(RandomError::Steep { row: piece + 1 }),
             None => Ok(spectrum),

@@ -57,12 +57,23 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// let roots = cantilever.frequencies(4)?;
     /// let response = cantilever.modal_response::<4, _>(&roots, tip.force_y(), beam.input().moment())?;
     ///
-    /// // 0.3 N²/Hz from 0.1 to 20 Hz, with a damping ratio of 2 %
-    /// let wind = PowerSpectrum::band(0.1..=20.0, 0.3)?;
+    /// // 0.3 N²/Hz from 0.1 to 15 Hz, with a damping ratio of 2 %
+    /// let wind = PowerSpectrum::band(0.1..=15.0, 0.3)?;
     /// let moment = response.with_damping_ratio(0.02)?.random(&wind)?;
     /// println!("3σ are {:.2} N m", 3.0 * moment.rms);
     /// assert!(moment.rms > wind.rms());
     /// assert!(moment.up_crossings_hertz().is_some_and(|hertz| hertz > roots[0].hertz()));
+    ///
+    /// // the spectrum of the moment; white noise on the modes of the list; what the list leaves out
+    /// let first = roots[0].hertz();
+    /// assert!(response.with_damping_ratio(0.02)?.power_at(first, &wind)? > 100.0 * wind.at(first));
+    /// let noise = PowerSpectrum::white(0.3);
+    /// assert!(response.with_damping_ratio(0.02)?.random(&noise).is_err());
+    /// let of_modes = response.without_residual()?.with_damping_ratio(0.02)?.random(&noise)?;
+    /// assert!(of_modes.rms > moment.rms);
+    /// let reach = 0.999 * cantilever.frequencies(5)?[4].omega;
+    /// let truncation = cantilever.truncation::<4>(&roots, tip.force_y(), beam.input().moment(), reach)?;
+    /// assert!(truncation.random(&wind, 0.02).is_some_and(|bound| bound < 0.1 * moment.rms));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -195,7 +206,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
                 to = from + width;
                 segment = Segment::new([from, to]);
                 // of a mode that is no number
-                if !(to > from) {
+                if to <= from {
                     return Err(RandomError::Overflow);
                 }
             }
