@@ -9,9 +9,9 @@ pub use mstmm_core::{
     EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, HoldOrder, InSpace, Label, MacError, MemberEnd,
     MemberLabel, MemberState, ModalAnalysis, ModalStateSpace, MotionError, MovingNetwork, Orbit, OscillatorPeak,
     ParticipationFactor, PeakOfMode, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
-    Planned, Point, ResponseSpectrum, Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError,
-    SpectrumTable, State, SystemStates, Tree, Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac,
-    oscillator_peak,
+    Planned, Point, PowerSpectrum, RandomError, RandomResponse, ResponseSpectrum, Root, Sample, ShapeList, Skew,
+    SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, Tree, Truncation, TruncationError,
+    Variation, WhirlAnalysis, combined, mac, oscillator_peak,
 };
 #[cfg(feature = "std")]
 pub use mstmm_core::{StateMatrices, record_spectrum};

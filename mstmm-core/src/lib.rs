@@ -41,6 +41,8 @@ pub use answer::modal::history::{EntryMotion, ForceHistory};
 pub use answer::modal::oscillator::record_spectrum;
 pub use answer::modal::oscillator::{OscillatorPeak, oscillator_peak};
 pub use answer::modal::participation::{Participation, ParticipationFactor};
+pub use answer::modal::power_spectrum::PowerSpectrum;
+pub use answer::modal::random_vibration::RandomResponse;
 pub use answer::modal::response::ModalResponse;
 pub use answer::modal::spectrum::{
     Combination, Directions, PeakOfMode, ResponseSpectrum, SpectralPeak, SpectrumTable, combined,
@@ -99,6 +101,7 @@ pub use model::load_error::LoadError;
 pub use model::member_plane::Skew;
 pub use model::motion_error::MotionError;
 pub use model::plane_label::{Handle, Hold, MemberEnd, MemberLabel, PlaneEntry, PlaneLoad, PlanePoint, Tied};
+pub use model::random_error::RandomError;
 pub use model::search_error::{SearchError, Spot};
 pub use model::space_point::{InSpace, SpacePoint};
 pub use model::spectrum_error::SpectrumError;

@@ -15,6 +15,8 @@ mod numbers;
 mod participation;
 mod published;
 mod random;
+mod random_bounds;
+mod random_vibration;
 mod ranges;
 mod refused_forces;
 mod spectra;

@@ -17,6 +17,7 @@ pub(crate) mod member_plane;
 pub(crate) mod motion_error;
 pub(crate) mod plain;
 pub(crate) mod plane_label;
+pub(crate) mod random_error;
 pub(crate) mod scaled_state;
 pub(crate) mod search_error;
 pub(crate) mod space_point;
@@ -45,6 +46,7 @@ pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,
     Tied,
 };
+pub(crate) use random_error::RandomError;
 pub(crate) use scaled_state::ScaledState;
 pub(crate) use search_error::{SearchError, Spot};
 pub(crate) use space_point::{InSpace, SpacePoint};

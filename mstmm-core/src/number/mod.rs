@@ -19,6 +19,7 @@ pub(crate) mod interval;
 pub(crate) mod kernel;
 #[cfg(all(feature = "std", target_arch = "x86_64", not(debug_assertions)))]
 pub(crate) mod lanes;
+pub(crate) mod logarithms;
 pub(crate) mod oscillation;
 pub(crate) mod packed;
 pub(crate) mod partials;
@@ -52,6 +53,7 @@ pub(crate) use frequency::{
     modulus, smaller,
 };
 pub(crate) use frequency_powers::FrequencyPowers;
+pub(crate) use logarithms::{angle, logarithm_of_ratio, turn};
 pub(crate) use packed::{InLanes, Packed, Parameters};
 pub(crate) use partials::Partials;
 pub(crate) use products::{Operation, Products};

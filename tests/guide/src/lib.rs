@@ -69,6 +69,10 @@ struct Repeated;
 struct Responses;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/shaker.md")]
+struct Shaker;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/signs.md")]
 struct Signs;
 

@@ -12,10 +12,16 @@
 //!
 //! In time a mode that a step sets off vibrates freely from its static value: it is at most that value away, whatever its ratio is. Under straight lines of a new slope each it
 //! is away by at most `(1 + 2ζ)/ω_n` of the static value of the slope.
+//!
+//! Under a random load of the power spectrum G the root mean square σ is the norm of H with the weight G. So by the triangle inequality `|σ - σ_N| <= (∫ E² G df)^½`, where E is the
+//! bound in frequency, if G has no power beyond the reach. Over a part of G up to ω₂ it is `E <= (ω/Ω)² √(R_aa R_bb)` and, since the fraction grows with ω,
+//! `E <= ω²/(Ω² - ω₂²) √(ρ_aa ρ_bb)`. With damping ratios ζ of what is left out the term `2ζ(ω/Ω)√(..)` is added to either. So `E <= c ω² + d ω`, of which the mean square over the part is
+//! a sum of moments of G in closed form. The parts are narrow for sharpness alone: each is bounded from above.
 
+use crate::answer::modal::power_spectrum::PowerSpectrum;
 use crate::answer::modal::response::{ModalResponse, Superposed};
 use crate::model::{MotionError, TruncationError};
-use crate::number::{Oscillation, Parameter, Real, RealFrequency, Scalar};
+use crate::number::{Oscillation, Parameter, Real, RealFrequency, Scalar, smaller as least, turn};
 use crate::search::{NaturalFrequencies, NaturalFrequency, Undamped};
 use num_complex::Complex;
 use num_traits::Zero;
@@ -23,6 +29,12 @@ use num_traits::Zero;
 /// Roundings of a response and of a sum of modes that a difference of both may have. They allow for responses and shapes that are rounded to one word; no bound of them is
 /// known.
 const ROUNDINGS: f64 = 64.0;
+
+/// End of the first part of a spectrum that begins at zero, over the end of the spectrum.
+const LOWEST_PART: f64 = 1.0 / 64.0;
+
+/// End of a part of a spectrum over its start, over which a bound takes the larger value at the end: 16 per octave.
+const WIDEST_PART: f64 = 1.044_273_782_427_413_8;
 
 /// A bound for what a sum over modes leaves out, in frequency and in time.
 ///
@@ -145,11 +157,7 @@ impl<T: Real> Truncation<T> {
         if ratio < T::zero() || !ratio.size().is_finite() {
             return None;
         }
-        let drag = (ratio + ratio) * omega.abs() / self.reach;
-        let mixed = |whole: Option<T>, other: T| whole.map(|whole| (whole * other).sqrt());
-        let by_load = mixed(self.load.within_reach(), self.entry.at_reach);
-        let by_entry = mixed(self.entry.within_reach(), self.load.at_reach);
-        Some(self.at(omega) + drag * smaller(by_load, by_entry)?)
+        Some(self.at(omega) + self.drag(ratio)? * omega.abs())
     }
 
     /// The largest error of [`to_step`](ModalResponse::to_step) at any time, for any damping ratios; none for internal forces.
@@ -178,6 +186,48 @@ impl<T: Real> Truncation<T> {
         };
         // of samples that are no numbers there is none
         (bound >= T::zero()).then_some(bound)
+    }
+
+    /// The largest error of the root mean square that [`random`](ModalResponse::random) gives, for damping ratios up to `ratio` of the modes that are not in the list, whatever those of the
+    /// list are, [`with_damping_ratio`](ModalResponse::with_damping_ratio) and its kin. None for a spectrum that reaches beyond the reach, such as white noise, for a negative ratio, and
+    /// for an internal force under a dislocation with a ratio beyond zero.
+    pub fn random(&self, spectrum: &PowerSpectrum<'_, T>, ratio: T) -> Option<T> {
+        let highest = spectrum.ends()[1] * turn();
+        if !(ratio >= T::zero() && ratio.size().is_finite() && highest <= self.reach) {
+            return None;
+        }
+        spectrum.checked().ok()?;
+        let drag = if ratio.is_zero() { T::zero() } else { self.drag(ratio)? };
+        let of_reach = (self.load.at_reach * self.entry.at_reach).sqrt() / (self.reach * self.reach);
+        let square = spectrum.pieces().fold(T::zero(), |sum, piece| {
+            let [mut from, end] = piece.ends;
+            let mut whole = sum;
+            while from < end {
+                let wide =
+                    if from.is_zero() { end * T::from_f64(LOWEST_PART) } else { from * T::from_f64(WIDEST_PART) };
+                let to = if wide > from { least(wide, end) } else { end };
+                let omega = to * turn();
+                let below = (self.reach - omega) * (self.reach + omega);
+                let curve = self.at_rest().map_or(of_reach, |at_rest| least(at_rest / below, of_reach));
+                // (c ω² + d ω)², times ω = 2π f
+                let [c, d] = [curve * turn() * turn(), drag * turn()];
+                let moment = |power| piece.moment([from, to], power);
+                whole += c * c * moment(4) + (c + c) * d * moment(3) + d * d * moment(2);
+                from = to;
+            }
+            whole
+        });
+        let bound = spectrum.root_of(square);
+        // of numbers out of range there is none
+        (bound >= T::zero() && bound.size().is_finite()).then_some(bound)
+    }
+
+    /// What damping ratios add to the bound in frequency, over ω.
+    fn drag(&self, ratio: T) -> Option<T> {
+        let mixed = |whole: Option<T>, other: T| whole.map(|whole| (whole * other).sqrt());
+        let by_load = mixed(self.load.within_reach(), self.entry.at_reach);
+        let by_entry = mixed(self.entry.within_reach(), self.load.at_reach);
+        Some((ratio + ratio) / self.reach * smaller(by_load, by_entry)?)
     }
 
     /// `√(ρ_aa ρ_bb)`.
