@@ -11,8 +11,10 @@ mod models;
 #[path = "../support/random.rs"]
 mod numbers;
 mod participation;
+mod peaks;
 mod published;
 mod random;
+mod random_peaks;
 mod ranges;
 mod refused_forces;
 mod spectra;

@@ -61,7 +61,7 @@ in_frequency!(ComplexEigenvalue at Complex<T>: "The entry under a load `e^{λt}`
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// The whole response at λ.
-    fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+    pub(crate) fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
         let late = Complex::from(T::one()) + lambda * self.lag;
         let (sum, _) = self.sum_at(lambda);
         let held = Complex::from(self.residual) / late + sum + lambda * self.flow;
