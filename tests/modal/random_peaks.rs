@@ -66,19 +66,21 @@ fn hold_against_samples(seeds: std::ops::Range<u64>, count: usize) {
         let [load, entry] = [points[0], points[random.below(points.len())]];
         let response = model.frequency_response(load.force_y(), entry.displacement_y()).unwrap();
         let size = |omega: f64| response.at(Complex::new(0.0, omega)).unwrap().norm();
+        let samples: Vec<_> = places(&roots, band, count).into_iter().map(|omega| (omega, size(omega))).collect();
         let some = roots.len() - random.below(roots.len() / 2 + 1);
         for list in [&roots[..], &roots[..some]] {
             let range = band[0]..=band[1];
             let peak = response.peak(range.clone(), list, 1e-8).unwrap();
             let least = response.least(range, list, 1e-6).unwrap();
             let about = format!("{seed} {band:?} {peak:?} {least:?}");
-            for omega in places(&roots, band, count) {
-                let size = size(omega);
-                assert!(size <= peak.upper && size >= least.lower, "{about} {omega} {size}");
-            }
+            let beyond = samples.iter().find(|(_, size)| !(*size <= peak.upper && *size >= least.lower));
+            assert!(beyond.is_none(), "{about} {beyond:?}");
             assert!((size(peak.omega) / peak.lower - 1.0).abs() < 1e-13, "{about}");
             assert!((size(least.omega) / least.upper - 1.0).abs() < 1e-13, "{about}");
-            assert!(peak.upper <= peak.lower * (1.0 + 1.001e-8) && least.upper <= least.lower * (1.0 + 1.001e-6), "{about}");
+            assert!(
+                peak.upper <= peak.lower * (1.0 + 1.001e-8) && least.upper <= least.lower * (1.0 + 1.001e-6),
+                "{about}"
+            );
             if list.len() == roots.len() {
                 (evaluations, most) = (evaluations + peak.evaluations, most.max(peak.evaluations));
             }
@@ -91,12 +93,12 @@ fn hold_against_samples(seeds: std::ops::Range<u64>, count: usize) {
 
 #[test]
 fn peaks_of_random_structures_hold_against_samples() {
-    hold_against_samples(0..100, 12);
+    hold_against_samples(0..16, 30);
 }
 
 #[test]
 #[ignore = "long: .ci/long"]
 fn peaks_of_random_structures_hold_against_many_samples() {
-    hold_against_samples(1000..1100, 4000);
-    hold_against_samples(0..2, 400_000);
+    hold_against_samples(0..100, 4000);
+    hold_against_samples(100..102, 80_000);
 }

@@ -5,9 +5,9 @@ use crate::answer::peak::of_response::{exactly, plainly};
 use crate::answer::peak::result::{Peak, least, peak};
 use crate::model::{MotionError, PeakError};
 use crate::number::Real;
+use crate::search::ClosedRange;
 use crate::search::damped::found::Region;
 use crate::search::damped::peak::source::{ListedPole, Source};
-use crate::search::ClosedRange;
 use num_complex::Complex;
 
 impl<T: Real, const N: usize, M> Source for ModalResponse<T, N, M> {

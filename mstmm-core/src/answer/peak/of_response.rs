@@ -10,10 +10,10 @@ use crate::pass::characteristic::System;
 use crate::pass::network::{MovingNetwork, PlaneFrequency};
 use crate::pass::searched::Spectrum;
 use crate::pass::tree::ExtendedTree;
+use crate::search::ClosedRange;
 use crate::search::damped::eigenvalues::Eigenvalues;
 use crate::search::damped::found::{Eigenvalue, Region};
 use crate::search::damped::peak::source::{ListedPole, Source};
-use crate::search::ClosedRange;
 use num_complex::Complex;
 
 /// What rounding leaves of a response that symmetry makes zero, in units of the precision it is computed in and in its size.
@@ -249,7 +249,7 @@ peaks!(FrequencyResponse where Oscillation, ExtendedTree
     /// ```
     /// use mstmm_core::elements::{Mass, SpringDamper};
     /// use mstmm_core::search::Eigenvalues;
-    /// use mstmm_core::{AnyElement, Complex, ListStep, ModalAnalysis, StepList, Support};
+    /// use mstmm_core::{AnyElement, ListStep, ModalAnalysis, Room, StepList, Support};
     ///
     /// let steps = [
     ///     ListStep::Tip(Support::Fixed),
@@ -257,7 +257,16 @@ peaks!(FrequencyResponse where Oscillation, ExtendedTree
     ///     ListStep::Element(Mass { mass: 1.0 }.try_into()?),
     ///     ListStep::Root(Support::Free),
     /// ];
+    /// let mut room = Room::<8>::new();
     /// let list = StepList::new(&steps)?;
+    /// let mass = list.element(2).output();
+    /// let oscillator = list.planned(&mut room)?;
+    /// let roots = oscillator.first_eigenvalues::<1>()?;
+    /// let response = oscillator.frequency_response(mass.force(), mass.deflection())?;
+    /// let peak = response.peak(0.0..=20.0, &roots, 1e-8)?;
+    /// // of an oscillator 1/(c sqrt(ω² - (c/2m)²))
+    /// let exact = 1.0 / (0.2 * (25.0_f64 - 0.01).sqrt());
+    /// assert!(peak.lower <= exact && exact <= peak.upper && peak.upper < peak.lower * 1.000_000_02);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
 );

@@ -71,13 +71,7 @@ impl Side {
     /// The value at x.
     pub(crate) fn value(&self, x: f64) -> C {
         match self {
-            Side::Series { coefficients, .. } => {
-                let (mut next, mut after) = (C::zero(), C::zero());
-                for &coefficient in coefficients.iter().skip(1).rev() {
-                    (next, after) = (coefficient + next * (2.0 * x) - after, next);
-                }
-                coefficients[0] + next * x - after
-            }
+            Side::Series { coefficients, .. } => series_at(coefficients, x),
             Side::Product(poles) => product_at(poles, C::from(x)),
         }
     }
@@ -121,6 +115,15 @@ fn distance(pole: C, x0: f64, s: f64) -> f64 {
 /// Bound of `|(x - y)/(x - z) - 1|` at a distance of x from z, where y is within the radius of z; infinite within the radius.
 pub(crate) fn part_of(radius: f64, distance: f64) -> f64 {
     if radius < distance { radius / (distance - radius) } else { f64::INFINITY }
+}
+
+/// A Chebyshev series at x: Clenshaw's recursion.
+pub(crate) fn series_at(series: &[C], x: f64) -> C {
+    let (mut next, mut after) = (C::zero(), C::zero());
+    for &coefficient in series.iter().skip(1).rev() {
+        (next, after) = (coefficient + next * (2.0 * x) - after, next);
+    }
+    series[0] + next * x - after
 }
 
 /// A Chebyshev series as a polynomial in `t = (x - x0)/s`: Clenshaw's recursion, in polynomials.

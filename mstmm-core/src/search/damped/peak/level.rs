@@ -82,7 +82,6 @@ fn least(above: &[f64; 2 * ROOM], below: &[f64; 2 * ROOM]) -> f64 {
     let [constant, slope, bend] = [term(0), term(1).abs(), term(2)];
     let rest = (3..2 * ROOM).map(|k| term(k).abs()).sum::<f64>();
     // the lowest point of the parabola is inside
-    let parabola =
-        if slope < 2.0 * bend { constant - slope * slope / (4.0 * bend) } else { constant - slope + bend };
+    let parabola = if slope < 2.0 * bend { constant - slope * slope / (4.0 * bend) } else { constant - slope + bend };
     parabola - rest
 }

@@ -9,13 +9,13 @@
 //! the counts differ the piece is cut in two: boxes shrink with pieces until they hold no eigenvalue that the list lacks.
 //!
 //! **Polynomials.** B contains the ellipse `E`, `x = (r e^{it} + e^{-it}/r)/2` with r = 3. Let M be the largest of |F| on it. Then the coefficients of
-//! Chebyshev's series of F are at most `2 M r^-k`. The polynomial p of degree d through the values of F at the d + 1 zeros of `T_{d+1}` differs from
-//! the series cut at d by those of higher terms, each once. So on the piece
-//!
-//! `|F - p| <= 2 Σ_{k > d} |a_k| <= 4 M r^-d/(r - 1)`.
+//! Chebyshev's series of F are at most `2 M r^-k`, and the series cut at degree d errs by `2 M r^-d/(r - 1)`. Let p be the polynomial of degree d through values of F at d + 1 places. It
+//! errs by `1 + Λ` times as much, where Λ bounds a polynomial of that degree by its values at the places. At the zeros x_j of `T_{d+1}` this is `1 + (2/π) ln(d + 1)`, no more than 3.5.
+//! Rounding moves places by δ, some units of rounding of the frequency over h. By Markov's inequality a polynomial q changes by `δ d² max |q|` there, so that Λ becomes
+//! `Λ/(1 - Λ d² δ)`. No piece is so short that this is more than 3.9.
 //!
 //! **Roundings.** Values of F err by rounding, and where λ_n is known to a radius e_n by `e_n/|λ - λ_n|` of F for each n. The polynomial errs by no more than
-//! [`LEBESGUE`](piece) times the largest of these. At x the true Π differs from that of the list by no more than `Σ e_n/(|λ - λ_n| - e_n)` of it.
+//! Λ times the largest of these. At x the true Π differs from that of the list by no more than `Σ e_n/(|λ - λ_n| - e_n)` of it.
 //!
 //! **Levels.** On a part of the piece, from `x0 - s` to `x0 + s`, both polynomials are expanded about x0. With bounds a and b of their errors,
 //! `|p| + a <= γ (|q| - b)` follows from `γ² |q|² - |p|² >= 2 γ (a + γ b) sup |q|`: the left side is

@@ -15,8 +15,10 @@ const TOLERANCES: RangeInclusive<f64> = 1e-12..=0.5;
 const WAITING: usize = 64;
 /// Pieces after which the search is given up: there may be thousands of modes in a band.
 const PIECES: usize = 50_000;
-/// Half length of a piece, as a part of its frequency, below which no two frequencies differ in response but by rounding.
-const FINEST: f64 = 1e-12;
+/// Half length of a piece, as a part of its frequency, below which rounding would move places by more than the polynomial through them bears.
+const FINEST: f64 = 2e-11;
+/// Half length of a piece, as a part of the band, below which a pole at rest counts as in it.
+const SHORTEST: f64 = 1e-15;
 /// Distance of a pole from the band, in its radii, and in units of rounding of its size, up to which it counts as on it.
 const NEAR: [f64; 2] = [4.0, 64.0];
 /// Levels in units of what rounding leaves of zero, so that values that are rounding alone are proven to be below.
@@ -57,7 +59,9 @@ enum Ended {
     /// It has to be cut, and what to say where it is too short for that.
     Cut(PeakError),
     /// The divisor vanishes, since it changes its sign.
-    Vanishes { omega: f64 },
+    Vanishes {
+        omega: f64,
+    },
 }
 
 /// A search in progress.
@@ -195,10 +199,11 @@ impl<'s> Search<'s> {
                 }
                 Ended::Cut(error) => {
                     let middle = piece.middle();
-                    let is_short = piece.half() <= FINEST * middle.abs();
+                    let is_short = piece.half() <= (FINEST * middle.abs()).max(SHORTEST * whole.half());
                     if is_short || waiting.push(Piece { start: middle, ..piece }).is_err() {
                         // of a least value that rounding hides zero is a bound
-                        let is_bounded = self.extreme == Extreme::Least && matches!(error, PeakError::Unresolved { .. });
+                        let is_bounded =
+                            self.extreme == Extreme::Least && matches!(error, PeakError::Unresolved { .. });
                         return if is_bounded { Ok(self.best) } else { Err(error) };
                     }
                     next = Some(Piece { end: middle, ..piece });

@@ -5,12 +5,11 @@ use super::search::{Extreme, Largest, Search, largest};
 use super::source::{ListedPole, Source};
 use crate::model::{MotionError, PeakError};
 use crate::search::damped::found::Region;
+use core::ops::Range;
 use num_complex::Complex;
 use std::vec::Vec;
 
 type C = Complex<f64>;
-
-const SEEDS: u64 = 300;
 
 /// Random numbers: SplitMix64.
 struct Random(u64);
@@ -31,9 +30,11 @@ impl Random {
 }
 
 /// `Σ r/(λ - λ_n) + r*/(λ - λ_n*)` and a constant, and what a list says of its poles.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Sum {
     terms: Vec<(C, C)>,
+    /// Three poles in a row each: the middle, the distance and the residue of the outer ones, with twice the opposite in the middle.
+    bunches: Vec<[C; 3]>,
     constant: f64,
     listed: Vec<ListedPole>,
 }
@@ -41,7 +42,20 @@ struct Sum {
 impl Sum {
     fn at(&self, lambda: C) -> C {
         let pair = |&(pole, residue): &(C, C)| residue / (lambda - pole) + residue.conj() / (lambda - pole.conj());
-        self.terms.iter().map(pair).sum::<C>() + self.constant
+        // as one fraction, in which nothing cancels
+        let bunch = |&[middle, apart, residue]: &[C; 3]| {
+            let of = |from: C, apart: C, residue: C| {
+                residue * apart * apart * 2.0 / (from * (from - apart) * (from + apart))
+            };
+            of(lambda - middle, apart, residue) + of(lambda - middle.conj(), apart.conj(), residue.conj())
+        };
+        self.terms.iter().map(pair).sum::<C>() + self.bunches.iter().map(bunch).sum::<C>() + self.constant
+    }
+
+    /// The poles of the upper half plane.
+    fn poles(&self) -> Vec<C> {
+        let of_bunch = |&[middle, apart, _]: &[C; 3]| [middle - apart, middle, middle + apart];
+        self.terms.iter().map(|term| term.0).chain(self.bunches.iter().flat_map(of_bunch)).collect()
     }
 
     fn size(&self, omega: f64) -> f64 {
@@ -50,14 +64,15 @@ impl Sum {
 
     /// A list of all of its poles.
     fn with_all(mut self) -> Self {
-        self.listed = self.terms.iter().map(|&(lambda, _)| ListedPole { lambda, radius: 0.0, multiplicity: 1 }).collect();
+        let listed = |lambda: C| ListedPole { lambda, radius: f64::EPSILON * lambda.norm(), multiplicity: 1 };
+        self.listed = self.poles().into_iter().map(listed).collect();
         self
     }
 
     /// The largest value of many in a band, and where: denser about each pole, refined by thirds.
     fn sampled(&self, start: f64, end: f64, share: f64) -> (f64, f64) {
         let mut places: Vec<f64> = (0..=4000).map(|k| start + (end - start) * f64::from(k) / 4000.0).collect();
-        for (pole, _) in &self.terms {
+        for pole in self.poles() {
             for step in -(400.0 * share) as i32..=(400.0 * share) as i32 {
                 let x = f64::from(step) / (20.0 * share);
                 places.push(pole.im + pole.re.abs() * x * (1.0 + 0.1 * x * x));
@@ -99,7 +114,7 @@ impl Source for Sum {
 
     fn check_box(&self, region: &Region<f64>, listed: u64) -> Result<(), PeakError> {
         let is_inside = |pole: &C| region.re.contains(&pole.re) && region.im.contains(&pole.im);
-        let poles = self.terms.iter().flat_map(|(pole, _)| [*pole, pole.conj()]);
+        let poles = self.poles().into_iter().flat_map(|pole| [pole, pole.conj()]);
         let counted = poles.filter(is_inside).count() as u64;
         if counted == listed { Ok(()) } else { Err(PeakError::Resonance { omega: *region.im.start() }) }
     }
@@ -113,13 +128,13 @@ fn random(seed: u64) -> Sum {
     let mut terms = Vec::new();
     for _ in 0..count {
         centre = if random.unit() < 0.5 { centre * (1.0 + spread * random.unit()) } else { 0.5 + 2.0 * random.unit() };
-        let width = centre * random.between(1e-7, 0.1);
+        let width = centre * random.between(1e-9, 0.1);
         let size = random.between(1e-6, 1.0) * width;
         let angle = core::f64::consts::TAU * random.unit();
         terms.push((C::new(-width, centre), C::from_polar(size, angle)));
     }
     let constant = if random.unit() < 0.5 { 0.0 } else { random.between(1e-4, 1.0) };
-    Sum { terms, constant, listed: Vec::new() }
+    Sum { terms, bunches: Vec::new(), constant, listed: Vec::new() }
 }
 
 fn peak(sum: &Sum, tolerance: f64) -> Largest {
@@ -132,7 +147,7 @@ fn the_peak_of_an_oscillator() {
     let (omega, zeta) = (1.3_f64, 0.02_f64);
     let damped = omega * (1.0 - zeta * zeta).sqrt();
     let pole = C::new(-zeta * omega, damped);
-    let sum = Sum { terms: [(pole, C::new(0.0, -0.5 / damped))].into(), constant: 0.0, listed: Vec::new() }.with_all();
+    let sum = Sum { terms: [(pole, C::new(0.0, -0.5 / damped))].into(), ..Sum::default() }.with_all();
     let exact = 1.0 / (2.0 * zeta * omega * damped);
     for tolerance in [1e-2, 1e-5, 1e-8, 1e-10, 1e-12] {
         let Largest { found, bound, evaluations, .. } = peak(&sum, tolerance);
@@ -142,9 +157,8 @@ fn the_peak_of_an_oscillator() {
 }
 
 /// What was sampled is never above the bound, and what was found is what was sampled, whatever the list is.
-#[test]
-fn peaks_of_random_sums_hold_against_samples() {
-    for seed in 0..SEEDS {
+fn peaks_of_sums(seeds: Range<u64>) {
+    for seed in seeds {
         let sum = random(seed);
         let (_, expected) = sum.sampled(0.3, 3.0, 0.1);
         let mut half = sum.clone().with_all();
@@ -157,18 +171,16 @@ fn peaks_of_random_sums_hold_against_samples() {
             pole.lambda += C::from_polar(0.9 * pole.radius, 6.0 * numbers.unit());
         }
         for (name, list) in [("all", sum.clone().with_all()), ("none", sum), ("half", half), ("beside", beside)] {
-            let Largest { found, bound, evaluations, .. } = peak(&list, 1e-7);
+            let Largest { found, bound, .. } = peak(&list, 1e-7);
             assert!(expected <= bound * (1.0 + 1e-14), "{name} {seed}: {expected} above {bound}");
             assert!(found >= expected * (1.0 - 1e-7), "{name} {seed}: {found} for {expected}");
-            std::println!("{name} {seed} {evaluations}");
         }
     }
 }
 
 /// A level a millionth below the peak is never proven, wherever the search has begun.
-#[test]
-fn false_levels_are_not_proven() {
-    for seed in 1000..1000 + SEEDS {
+fn false_levels(seeds: Range<u64>) {
+    for seed in seeds {
         let sum = random(seed).with_all();
         let (_, expected) = sum.sampled(0.3, 3.0, 0.1);
         for below in [1e-6, 1e-3, 0.3] {
@@ -176,8 +188,68 @@ fn false_levels_are_not_proven() {
                 let mut search = Search::new(&sum, 0.3, Extreme::Peak, tolerance);
                 search.best.found = expected * (1.0 - below);
                 let Largest { found, .. } = search.run(Piece { start: 0.3, end: 3.0 }).unwrap();
-                assert!(found >= expected * (1.0 - tolerance) * (1.0 - 1e-12), "{seed}: {below} below the peak was proven");
+                assert!(
+                    found >= expected * (1.0 - tolerance) * (1.0 - 1e-12),
+                    "{seed}: {below} below the peak was proven"
+                );
             }
         }
     }
+}
+
+/// Bunches of poles whose residues nearly cancel, which together are poles of higher order; tolerances down to the finest. Refused is allowed, wrong is not.
+fn bunches_of_poles(seeds: Range<u64>) {
+    let mut refused = 0;
+    for seed in seeds.clone() {
+        let mut sum = random(seed);
+        let mut random = Random(seed + 31);
+        for _ in 0..1 + (random.unit() * 3.0) as usize {
+            let (centre, width) = (0.5 + 2.0 * random.unit(), random.between(1e-6, 0.3));
+            let apart = 0.5 * width * random.between(1e-3, 1.0);
+            let size = random.between(1e-6, 1.0) * width.powi(3) / (apart * apart);
+            let [turned, residue] = [1.0, size].map(|size| C::from_polar(size, core::f64::consts::TAU * random.unit()));
+            sum.bunches.push([C::new(-width, centre), turned * apart, residue]);
+        }
+        let tolerance = random.between(1e-11, 1e-2);
+        let (_, expected) = sum.sampled(0.3, 3.0, 0.1);
+        for list in [sum.clone().with_all(), sum] {
+            match largest(&list, &(0.3..=3.0), Extreme::Peak, tolerance) {
+                Ok(Largest { found, bound, .. }) => {
+                    assert!(expected <= bound * (1.0 + 1e-13), "{seed} {tolerance}: {expected} above {bound}");
+                    assert!(
+                        found >= expected * (1.0 - tolerance - 1e-13),
+                        "{seed} {tolerance}: {found} for {expected}"
+                    );
+                }
+                Err(PeakError::Unresolved { .. }) if tolerance < 1e-9 => refused += 1,
+                Err(error) => panic!("{seed} {tolerance}: {error}"),
+            }
+            let least = largest(&list, &(0.3..=3.0), Extreme::Least, 1e-6).unwrap();
+            let lower = 1.0 / least.bound;
+            assert!((0..=4000).all(|k| list.size(0.3 + 2.7 * f64::from(k) / 4e3) >= lower * (1.0 - 1e-13)), "{seed}");
+            assert!((list.size(least.omega) * least.found - 1.0).abs() < 1e-12, "{seed}");
+        }
+    }
+    assert!(refused <= seeds.end - seeds.start, "{refused} of twice as many");
+}
+
+#[test]
+fn peaks_of_random_sums_hold_against_samples() {
+    peaks_of_sums(0..8);
+    bunches_of_poles(0..6);
+}
+
+#[test]
+fn false_levels_are_not_proven() {
+    // with these a level is proven if errors of polynomials, or terms beyond the parabola, are left out
+    false_levels(1000..1008);
+    false_levels(1056..1058);
+}
+
+#[test]
+#[ignore = "long: .ci/long"]
+fn many_peaks_and_levels_of_random_sums() {
+    peaks_of_sums(0..300);
+    bunches_of_poles(0..300);
+    false_levels(1000..1300);
 }
