@@ -334,6 +334,31 @@ fn peaks_with_damping_of_materials() {
     }
 }
 
+/// Closed form: a disc that tilts on a damped spring, `1/(I_d λ² + (c - i I_p Ω) λ + k)` forward, and with the other sign backward. From zero on bands are of both whirls.
+#[test]
+fn peaks_of_both_whirls() {
+    system! {
+        struct Rotor { ip: f64, speed: f64 }
+        free -> disc 1 { mass: 3.0, inertia: 0.2, polar_inertia: ip, speed } -> conn a -> free;
+        fixed -> spring 2 { stiffness: 1200.0, damping: 4.0 } -> conn a;
+        fixed -> torsion_spring 3 { stiffness: 500.0, damping: 0.7 } -> conn a;
+    }
+    let rotor = Rotor { ip: 0.3, speed: 35.0 }.build().unwrap();
+    for (whirl, sign) in [(Whirl::Forward, 1.0), (Whirl::Backward, -1.0)] {
+        let model = rotor.whirl(whirl);
+        let roots = model.first_eigenvalues::<2>().unwrap();
+        let response = model.frequency_response(Rotor::conn_a.torque(), Rotor::conn_a.rotation()).unwrap();
+        let size =
+            |omega: f64| C::new(500.0 - 0.2 * omega * omega + sign * 0.3 * 35.0 * omega, 0.7 * omega).norm().recip();
+        let peak = response.peak(1.0..=200.0, &roots, 1e-8).unwrap();
+        let expected = most(1.0, 200.0, size);
+        assert!(peak.upper >= expected && (size(peak.omega) / peak.lower - 1.0).abs() < 1e-13, "{whirl:?} {peak:?}");
+        assert!(peak.upper <= peak.lower * (1.0 + 1.001e-8));
+        let refused = response.peak(0.0..=200.0, &roots, 1e-8).unwrap_err();
+        assert!(matches!(refused, PeakError::Search(SearchError::OtherWhirl { .. })), "{refused}");
+    }
+}
+
 #[test]
 fn bad_questions_are_refused() {
     let (model, point) = oscillator(9.0, 0.1, 1.0);

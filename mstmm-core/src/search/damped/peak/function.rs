@@ -23,6 +23,7 @@ pub(crate) struct Pole {
 
 /// A side of the ratio on a piece, in its variable x from -1 to 1.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are two, on the stack")]
 pub(crate) enum Side {
     /// A response times the product over the poles: a Chebyshev series, and a bound of its error.
     Series { coefficients: Coefficients, error: f64 },
