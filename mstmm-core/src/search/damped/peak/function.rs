@@ -44,6 +44,11 @@ pub(crate) fn node(count: usize, number: usize) -> f64 {
     cosine(2 * number + 1, count)
 }
 
+/// Extrema of that polynomial, between its zeros, from 1 down.
+pub(crate) fn extremum(count: usize, number: usize) -> f64 {
+    cosine(2 * number, count)
+}
+
 /// `cos(m π/2n)`.
 fn cosine(m: usize, n: usize) -> f64 {
     let angle = core::f64::consts::FRAC_PI_2 * ((m % (4 * n)) as f64 / n as f64);

@@ -26,7 +26,7 @@
 //! below the level.
 //!
 //! **What the certificate rests on.** On the count of eigenvalues in each box, by the argument principle as `count_in` has it, or by the proven count of the undamped system; for a
-//! sum over modes on nothing. On M, which is four times the largest of 16 values on the ellipse: a double pole just outside of the box exceeds them by three. On
+//! sum over modes on nothing. A count is not trusted alone: at two places between those of the values the polynomial has to be as near to F as its error says. On M, which is four times the largest of 16 values on the ellipse: a double pole just outside of the box exceeds them by three. On
 //! roundings of values, of which no bound is known: they are taken as 16 units of each value. All else is a theorem.
 
 pub(crate) mod function;

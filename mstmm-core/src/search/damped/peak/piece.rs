@@ -4,7 +4,7 @@ use crate::model::{MotionError, PeakError};
 use crate::number::{List, Scalar, modulus};
 use crate::search::damped::found::Region;
 use crate::search::damped::peak::function::{
-    Coefficients, MOST_POLES, Pole, ROOM, Side, node, part_of, product_at, series_at, series_through,
+    Coefficients, MOST_POLES, Pole, ROOM, Side, extremum, node, part_of, product_at, series_at, series_through,
 };
 use crate::search::damped::peak::source::Source;
 use num_complex::Complex;
@@ -22,6 +22,8 @@ const SAFETY: f64 = 4.0;
 const LEBESGUE: f64 = 3.9;
 /// Steps by which a polynomial through values beside the zeros is found from those through the zeros. Each leaves a tenth, or far less.
 const STEPS: usize = 4;
+/// Places of the extrema between which polynomials are looked at, as parts of their number.
+const CHECKED: [f64; 2] = [0.3, 0.8];
 /// Factor on `M r^-d/(r - 1)` of what the series cut at d leaves out.
 const BEST: f64 = 2.0;
 /// Units of rounding of a value, and of the product of a value and its poles.
@@ -45,7 +47,7 @@ pub(crate) fn values_for(tolerance: f64) -> usize {
 
 /// Number of evaluations of a response that such a polynomial takes, those on the ellipse among them.
 pub(crate) fn evaluations_for(count: usize) -> usize {
-    RIM + count + count.div_ceil(NOISE_AT)
+    RIM + CHECKED.len() + count + count.div_ceil(NOISE_AT)
 }
 
 /// A piece of a band.
@@ -165,7 +167,27 @@ impl Piece {
             Side::Series { error: errors.bound(count), coefficients }
         };
         let second = if source.is_ratio() { side(1) } else { Side::Product(*poles) };
-        Ok(Sides { sides: [side(0), second], values })
+        let sides = [side(0), second];
+        self.check(source, poles, count, &sides)?;
+        Ok(Sides { sides, values })
+    }
+
+    /// Looks at places between those of the values whether the polynomials are as near as their errors say: a pole that no count has seen shows there.
+    fn check(&self, source: &dyn Source, poles: &[Pole], count: usize, sides: &[Side; 2]) -> Result<(), PeakError> {
+        for part in CHECKED {
+            let omega = self.omega(extremum(count, (part * count as f64) as usize));
+            let x = (omega - self.middle()) / self.half();
+            let (found, product) = (source.values(C::new(0.0, omega))?, product_at(poles, C::from(x)));
+            for (side, value) in sides.iter().zip(found) {
+                let Side::Series { error, .. } = side else { continue };
+                let beside = modulus(side.value(x) - value * product);
+                // with what the error of the value itself may be
+                if !(beside <= 2.0 * error) {
+                    return Err(PeakError::Resonance { omega });
+                }
+            }
+        }
+        Ok(())
     }
 }
 

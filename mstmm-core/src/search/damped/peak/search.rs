@@ -18,7 +18,7 @@ const PIECES: usize = 50_000;
 /// Half length of a piece, as a part of its frequency, below which rounding would move places by more than the polynomial through them bears.
 const FINEST: f64 = 2e-11;
 /// Half length of a piece, as a part of the band, below which a pole at rest counts as in it.
-const SHORTEST: f64 = 1e-15;
+const SHORTEST: f64 = 1e-12;
 /// Distance of a pole from the band, in its radii, and in units of rounding of its size, up to which it counts as on it.
 const NEAR: [f64; 2] = [4.0, 64.0];
 /// Levels in units of what rounding leaves of zero, so that values that are rounding alone are proven to be below.

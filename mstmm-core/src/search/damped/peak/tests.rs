@@ -156,6 +156,19 @@ fn the_peak_of_an_oscillator() {
     }
 }
 
+/// Closed form: a narrow pole beside a list that lacks it. At a coarse tolerance no value on pieces of the band shows it, and the count does.
+#[test]
+fn the_count_shows_what_values_do_not() {
+    let listed = C::new(-0.03, 1.3);
+    let mut sum = Sum { terms: [(listed, C::new(0.0, -0.4))].into(), ..Sum::default() }.with_all();
+    let hidden = C::new(-1e-8, 2.0123);
+    sum.terms.push((hidden, C::new(0.0, -400.0) * hidden.re));
+    let Largest { omega, found, bound, .. } = peak(&sum, 1e-2);
+    let exact = sum.size(hidden.im);
+    assert!(exact > 390.0 && found > 0.99 * exact && bound >= exact, "{found} {bound} {exact}");
+    assert!((omega - hidden.im).abs() < 1e-8);
+}
+
 /// What was sampled is never above the bound, and what was found is what was sampled, whatever the list is.
 fn peaks_of_sums(seeds: Range<u64>) {
     for seed in seeds {
