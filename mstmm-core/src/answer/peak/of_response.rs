@@ -258,9 +258,8 @@ peaks!(FrequencyResponse where Oscillation, ExtendedTree
     ///     ListStep::Root(Support::Free),
     /// ];
     /// let mut room = Room::<8>::new();
-    /// let list = StepList::new(&steps)?;
-    /// let mass = list.element(2).output();
-    /// let oscillator = list.planned(&mut room)?;
+    /// let oscillator = StepList::new(&steps)?.planned(&mut room)?;
+    /// let mass = oscillator.label(2).ok_or("no mass")?.output();
     /// let roots = oscillator.first_eigenvalues::<1>()?;
     /// let response = oscillator.frequency_response(mass.force(), mass.deflection())?;
     /// let peak = response.peak(0.0..=20.0, &roots, 1e-8)?;
