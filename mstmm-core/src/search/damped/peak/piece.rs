@@ -182,7 +182,8 @@ impl Piece {
                 let Side::Series { error, .. } = side else { continue };
                 let beside = modulus(side.value(x) - value * product);
                 // with what the error of the value itself may be
-                if !(beside <= 2.0 * error) {
+                let is_near = beside <= 2.0 * error;
+                if !is_near {
                     return Err(PeakError::Resonance { omega });
                 }
             }
