@@ -13,9 +13,11 @@ mod models;
 #[path = "../support/random.rs"]
 mod numbers;
 mod participation;
+mod peaks;
 mod published;
 mod random;
 mod random_bounds;
+mod random_peaks;
 mod random_vibration;
 mod ranges;
 mod refused_forces;

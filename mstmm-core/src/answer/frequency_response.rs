@@ -42,6 +42,11 @@ impl<'a, Y: Planned + ?Sized> FrequencyResponse<'a, Y> {
         Ok(FrequencyResponse { route: Route::new(system, load, entry), spread })
     }
 
+    /// The system.
+    pub(crate) fn system(&self) -> &'a Y {
+        self.route.system
+    }
+
     /// What its load and its entry are.
     pub(crate) fn facts(&self) -> Facts<Y::Parameter> {
         let Route { system, load, entry, .. } = &self.route;

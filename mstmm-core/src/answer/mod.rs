@@ -19,6 +19,7 @@ pub(crate) mod modal;
 pub(crate) mod mode_shape;
 pub(crate) mod network;
 pub(crate) mod orbit;
+pub(crate) mod peak;
 pub(crate) mod questions;
 pub(crate) mod repeated_root;
 pub(crate) mod response_curve;

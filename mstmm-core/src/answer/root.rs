@@ -1,7 +1,7 @@
 //! The roots that questions about motions take: natural frequencies and eigenvalues.
 
 use crate::model::MotionError;
-use crate::number::{Oscillation, Real, Scalar};
+use crate::number::{Oscillation, Real, Scalar, larger};
 use crate::pass::characteristic::System;
 use crate::search::damped::found::Eigenvalue;
 use crate::search::undamped::found::NaturalFrequency;
@@ -22,6 +22,10 @@ pub trait Root<T: Real> {
     /// The frequency ω [rad/s] of its resonance, and half the width of the resonance at half the power. The width is zero for an
     /// undamped root, or one that is undamped to rounding.
     fn peak(&self) -> (T, T);
+
+    /// The root as an eigenvalue, with a circle that holds it: at rest a natural frequency is two.
+    #[doc(hidden)]
+    fn eigenvalue(&self) -> Eigenvalue<T>;
 }
 
 impl<T: Real> Root<T> for NaturalFrequency<T> {
@@ -38,6 +42,13 @@ impl<T: Real> Root<T> for NaturalFrequency<T> {
     fn multiplicity(&self) -> u64 {
         self.multiplicity
     }
+
+    fn eigenvalue(&self) -> Eigenvalue<T> {
+        let multiplicity = if self.omega.is_zero() { 2 * self.multiplicity } else { self.multiplicity };
+        let lambda = Complex::new(T::zero(), self.omega);
+        let error = larger(self.upper - self.omega, self.omega - self.lower);
+        Eigenvalue { lambda, error, multiplicity, is_proven: false }
+    }
 }
 
 impl<T: Real> Root<T> for Eigenvalue<T> {
@@ -52,6 +63,10 @@ impl<T: Real> Root<T> for Eigenvalue<T> {
         let width = self.lambda.re.abs();
         let is_known = width > self.error;
         (self.lambda.im.abs(), if is_known { width } else { T::zero() })
+    }
+
+    fn eigenvalue(&self) -> Eigenvalue<T> {
+        *self
     }
 
     fn multiplicity(&self) -> u64 {

@@ -15,6 +15,7 @@ pub(crate) mod label;
 pub(crate) mod load_error;
 pub(crate) mod member_plane;
 pub(crate) mod motion_error;
+pub(crate) mod peak_error;
 pub(crate) mod plain;
 pub(crate) mod plane_label;
 pub(crate) mod random_error;
@@ -41,6 +42,7 @@ pub(crate) use label::{Acting, Entry, Label, Load, Point, Spread};
 pub(crate) use load_error::LoadError;
 pub(crate) use member_plane::{MemberPlane, Skew, across, up_of};
 pub(crate) use motion_error::MotionError;
+pub(crate) use peak_error::PeakError;
 pub(crate) use plain::{error, plain};
 pub(crate) use plane_label::{
     Handle, Hold, MemberEnd, MemberLabel, PlaneActing, PlaneEntry, PlaneLoad, PlanePoint, Quantity, Site, SpreadLoad,

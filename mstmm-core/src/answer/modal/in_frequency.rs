@@ -65,7 +65,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     }
 
     /// The whole response at λ.
-    pub(super) fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+    pub(crate) fn whole_at(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
         let frequency = lambda.modulus();
         if !frequency.is_finite() {
             return Err(MotionError::NotFinite { frequency });

@@ -157,7 +157,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     }
 
     /// The acceleration of what moves off at once, under a load of 1.
-    pub(super) fn away(&self) -> T {
+    pub(crate) fn away(&self) -> T {
         self.rigid + self.carried
     }
 

@@ -39,6 +39,11 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
         Ok(PlaneResponse { under, entry })
     }
 
+    /// The structure.
+    pub(crate) fn system(&self) -> &'a Y {
+        self.under.system
+    }
+
     /// What its load and its entry are.
     pub(crate) fn facts(&self) -> Facts<Y::Parameter> {
         let is_motion = matches!(self.under.load.acting, PlaneActing::Motion(..) | PlaneActing::Dislocation(..));
@@ -141,7 +146,7 @@ impl<'a, Y: Placed> PlaneResponse<'a, Y> {
     }
 
     /// The response, and a size compared with which its rounding is small: the largest displacement, or the largest force.
-    pub(super) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
+    pub(crate) fn sized<S>(&self, x: S) -> Result<Part<S>, MotionError>
     where
         Y: MovingNetwork<S>,
         S: PlaneFrequency<<Y as System>::Parameter>,

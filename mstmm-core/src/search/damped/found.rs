@@ -16,7 +16,7 @@ pub struct Region<T = f64> {
 
 impl<T: Real> Region<T> {
     /// The region in numbers of another type.
-    pub(super) fn map<U>(self, number: impl Fn(T) -> U) -> Region<U> {
+    pub(crate) fn map<U>(self, number: impl Fn(T) -> U) -> Region<U> {
         let range = |range: RangeInclusive<T>| number(*range.start())..=number(*range.end());
         Region { re: range(self.re), im: range(self.im) }
     }

@@ -8,6 +8,7 @@ pub(crate) mod evaluation;
 pub(crate) mod found;
 pub(crate) mod growth;
 pub(crate) mod newton;
+pub(crate) mod peak;
 pub(crate) mod point;
 pub(crate) mod proven;
 pub(crate) mod reach;
