@@ -224,7 +224,7 @@ system! {
     /// An oscillator whose stiffness is a formula that turns, jumps or breaks within a box, by its kind.
     #[derive(Clone, Copy)]
     struct Turning { x: f64, y: f64, mass: f64 }
-    fixed -> spring 1 { stiffness: 20.0 + f64::atan2(y, -2.0) - 2.0 * y + x.signum() + (-x).powf(2.0) + x.abs() } -> mass 2 { mass: mass * 1.5.powi(40) } -> free;
+    fixed -> spring 1 { stiffness: 20.0 + f64::atan2(y, -2.0) - 2.0 * y + x.signum() + (-x).powf(2.0) + x.abs() } -> mass 2 { mass: (1.2 * mass).powi(40) } -> free;
 }
 
 /// Formulas that jump: at the negative half of the axis the angle does, a sign at zero; both signs of zero are in a box.

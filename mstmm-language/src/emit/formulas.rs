@@ -64,14 +64,7 @@ pub(super) fn formulas<'d>(
     let takes = numbers.iter().map(|(place, Formula { value, .. })| {
         quote_spanned!(names.here=> let number = #value; take(#place, number.value, &number.partials);)
     });
-    let own: Vec<_> = numbers.iter().filter(|(_, formula)| formula.is_own).map(|(place, _)| *place).collect();
-    let is_own = (!own.is_empty()).then(|| {
-        quote_spanned! {names.here=>
-            fn is_of_own_element(place: ::core::primitive::usize) -> ::core::primitive::bool {
-                ::core::matches!(place, #(#own)|*)
-            }
-        }
-    });
+    let is_own = of_own_elements(&numbers, names);
     quote_spanned! {names.here=>
         #[automatically_derived]
         impl #private::Formulas for #name {
@@ -110,4 +103,16 @@ pub(super) fn formulas<'d>(
             }
         }
     }
+}
+
+/// What tells the numbers that are parameters of elements of the user's own; nothing, where there are none.
+fn of_own_elements(numbers: &[(usize, Formula<'_>)], names: &Names) -> Option<TokenStream> {
+    let own: Vec<_> = numbers.iter().filter(|(_, formula)| formula.is_own).map(|(place, _)| *place).collect();
+    (!own.is_empty()).then(|| {
+        quote_spanned! {names.here=>
+            fn is_of_own_element(place: ::core::primitive::usize) -> ::core::primitive::bool {
+                ::core::matches!(place, #(#own)|*)
+            }
+        }
+    })
 }

@@ -5,7 +5,7 @@ use crate::ast::Model;
 use crate::diagnostics::Errors;
 use crate::{check, parse, topology::Graph};
 use expect_test::expect_file;
-use proc_macro2::{Delimiter, Group, TokenTree};
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use quote::quote;
 
 #[path = "../../tests/support/models_in.rs"]

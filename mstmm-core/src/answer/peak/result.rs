@@ -32,7 +32,7 @@ impl<T: Real> Peak<T> {
     /// assert_eq!(Peak { omega: std::f64::consts::TAU * 25.0, ..Peak::default() }.hertz(), 25.0);
     /// ```
     pub fn hertz(&self) -> T {
-        turns::hertz(self.omega)
+        turns::in_hertz(self.omega)
     }
 }
 

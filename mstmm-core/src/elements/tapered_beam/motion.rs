@@ -170,7 +170,7 @@ impl<S: Single> Densities<S> {
         let by_height = |at: f64| -position(at) / profile.height.at(at);
         let force = pull(&centrifugal);
         let stretched = pull(&|at| profile.mass_at(at) * position(at) * beam.length);
-        let loaded = slope * beam.length * profile.to_end(share);
+        let loaded = slope * beam.length * profile.rest_at(share);
         let three = S::from_f64(3.0);
         let shape = bending + rotary;
         let (sin, cos) = beam.setting_angle.sin_cos();

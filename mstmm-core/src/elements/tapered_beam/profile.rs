@@ -100,11 +100,11 @@ impl<S: Scalar> Profile<S> {
     /// The axial force.
     pub(super) fn force_at(&self, share: f64) -> S {
         let pull = self.speed_squared * self.up_to_end(share, |at| self.mass_at(at) * self.radius.at(at));
-        self.force + self.load * self.length * self.to_end(share) + pull
+        self.force + self.load * self.length * self.rest_at(share) + pull
     }
 
     /// The share of the length from a share up to the output end.
-    pub(super) fn to_end(&self, share: f64) -> S {
+    pub(super) fn rest_at(&self, share: f64) -> S {
         S::from_f64(Parameter::abs(self.outer - share))
     }
 
@@ -115,7 +115,7 @@ impl<S: Scalar> Profile<S> {
         }
         let middle = at(0.5 * (share + self.outer));
         let sum = at(share) + S::from_f64(4.0) * middle + at(self.outer);
-        self.length * self.to_end(share) * sum / S::from_f64(6.0)
+        self.length * self.rest_at(share) * sum / S::from_f64(6.0)
     }
 }
 

@@ -82,7 +82,7 @@ impl<const K: usize, V: Elementary> Partials<K, V> {
     pub fn signum(self) -> Self {
         let sign = self.value.sign();
         // about zero it jumps
-        let slope = if (sign - sign).is_zero() { 0.0 } else { f64::NAN };
+        let slope = if sign.is_below(V::constant(1.0)).is_some() { 0.0 } else { f64::NAN };
         self.chain(sign, V::constant(slope))
     }
 
