@@ -300,12 +300,12 @@ fn what_has_no_mean_square_is_refused() {
     let [first, second] = [roots[0].omega, roots[1].omega];
     let band = |start: f64, end: f64| PowerSpectrum::band(start / TAU..=end / TAU, 1.0).unwrap();
     // without damping a spectrum may stand between the modes alone
-    assert_eq!(response.random(&band(0.5 * first, 1.5 * first)), Err(RandomError::Undamped { omega: first }));
+    assert_eq!(response.random(&band(0.5 * first, 1.5 * first)), Err(RandomError::NoDamping { omega: first }));
     let between = response.random(&band(1.5 * first, 0.7 * second)).unwrap();
     let slightly = response.with_damping_ratio(1e-9).unwrap().random(&band(1.5 * first, 0.7 * second)).unwrap();
     assert_close(between.rms, slightly.rms, 1e-13);
-    assert!(matches!(response.random(&PowerSpectrum::white(1.0)), Err(RandomError::Undamped { .. })));
-    assert!(matches!(response.power_at(first / TAU, &PowerSpectrum::white(1.0)), Err(RandomError::Undamped { .. })));
+    assert!(matches!(response.random(&PowerSpectrum::white(1.0)), Err(RandomError::NoDamping { .. })));
+    assert!(matches!(response.power_at(first / TAU, &PowerSpectrum::white(1.0)), Err(RandomError::NoDamping { .. })));
     // levels that nobody has checked before
     for level in [0.0, -1.0, f64::INFINITY] {
         assert_eq!(damped.random(&PowerSpectrum::white(level)), Err(RandomError::Level { level }));

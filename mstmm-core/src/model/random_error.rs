@@ -40,7 +40,7 @@ pub enum RandomError {
         hertz: f64,
     },
     /// A mode without damping at a frequency of the spectrum: its vibration grows without a limit.
-    Undamped {
+    NoDamping {
         /// Its frequency [rad/s].
         omega: f64,
     },
@@ -77,7 +77,7 @@ impl fmt::Display for RandomError {
                 write!(f, "from {start} Hz to {end} Hz is no band: it has to start at 0 or above and to end beyond")
             }
             RandomError::Frequency { hertz } => write!(f, "{hertz} Hz is no frequency: it has to be 0 or above"),
-            RandomError::Undamped { omega } => {
+            RandomError::NoDamping { omega } => {
                 write!(
                     f,
                     "the mode at {omega} rad/s has no damping, and the spectrum has power there: its mean square is infinite"

@@ -53,7 +53,10 @@ impl<M: Build> Build for &M {
     note = "a sweep takes models with their parameters, or references to them, and builds each itself: leave out `build()`",
     note = "a model with places is built and searched by itself, and so is a rotor, whose whirls are searched: `campbell` takes many speeds"
 )]
-pub trait Model: Build {
+pub trait Model: Numbered {
+    /// The built system over parameters of a type. That of [`Build`] is the same; with one of its own an error about a type that is no model says so.
+    type System<T: Parameter>;
+
     /// The system of such numbers, without estimates; what else a system keeps is that of this model.
     #[doc(hidden)]
     fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<Self::System<T>, ParameterError>;
@@ -62,13 +65,17 @@ pub trait Model: Build {
     ///
     /// # Errors
     /// The error names the first element with a parameter out of its range, the parameter and its value.
-    fn build(&self) -> Result<Self::System<f64>, ParameterError> {
-        self.build_of(&self.numbers())
-    }
+    fn build(&self) -> Result<Self::System<f64>, ParameterError>;
 }
 
 impl<M: Model> Model for &M {
+    type System<T: Parameter> = M::System<T>;
+
     fn of_numbers<T: Parameter>(&self, number: impl Fn(usize) -> T) -> Result<M::System<T>, ParameterError> {
         (*self).of_numbers(number)
+    }
+
+    fn build(&self) -> Result<M::System<f64>, ParameterError> {
+        (*self).build()
     }
 }

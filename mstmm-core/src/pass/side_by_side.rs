@@ -5,7 +5,7 @@
 use crate::number::{InLanes, Packed, Parameters, Task, run};
 use crate::pass::at_once::{Block, lanes};
 use crate::pass::characteristic::{Characteristic, System};
-use crate::pass::model::{Build, Model};
+use crate::pass::model::Model;
 use crate::subspace::Purpose;
 
 /// Models that are evaluated at once.
@@ -30,7 +30,7 @@ impl<M> Lanewise for M where
 }
 
 /// The built system of one model.
-pub(crate) type Built<M> = <M as Build>::System<f64>;
+pub(crate) type Built<M> = <M as Model>::System<f64>;
 
 /// The built system of eight models, with their parameters in lanes.
 pub(crate) struct SideBySide<M: Model>(M::System<Parameters>);

@@ -175,7 +175,14 @@ fn of_numbers(model: &Model, plan: &Plan<'_>, keeps_fields: bool, names: &Names)
         (quote_spanned!(names.here=> { let number = #plain; #literal }), None)
     } else {
         let of_model = quote_spanned! {names.here=>
+            #[automatically_derived]
             impl #private::Model for #name {
+                type System<#parameter: #private::Parameter> = #system<#parameter>;
+
+                fn build(&self) -> ::core::result::Result<#system, #private::ParameterError> {
+                    self.build_as()
+                }
+
                 fn of_numbers<#parameter: #private::Parameter>(
                     &self,
                     number: impl ::core::ops::Fn(::core::primitive::usize) -> #parameter,

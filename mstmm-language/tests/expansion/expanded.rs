@@ -141,7 +141,14 @@ impl mstmm::__private::Build for DampedMass {
         ::core::result::Result::Ok(system)
     }
 }
+#[automatically_derived]
 impl mstmm::__private::Model for DampedMass {
+    type System<T: mstmm::__private::Parameter> = DampedMassSystem<T>;
+    fn build(
+        &self,
+    ) -> ::core::result::Result<DampedMassSystem, mstmm::__private::ParameterError> {
+        self.build_as()
+    }
     fn of_numbers<T: mstmm::__private::Parameter>(
         &self,
         number: impl ::core::ops::Fn(::core::primitive::usize) -> T,

@@ -78,7 +78,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// ```
     ///
     /// # Errors
-    /// [`RandomError::Undamped`] for a mode without damping where the spectrum has power; [`RandomError::AtRest`] for a rigid body under a spectrum that reaches down to zero;
+    /// [`RandomError::NoDamping`] for a mode without damping where the spectrum has power; [`RandomError::AtRest`] for a rigid body under a spectrum that reaches down to zero;
     /// [`RandomError::Residual`] for white noise on what follows it at once; [`RandomError::Unstable`] for a motion that grows; [`RandomError::Level`] for a level or a factor that is not
     /// positive; [`RandomError::Overflow`] for numbers out of range.
     pub fn random(&self, spectrum: &PowerSpectrum<'_, T>) -> Result<RandomResponse<T>, RandomError> {
@@ -109,7 +109,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
     /// The power spectrum of the entry at a frequency \[Hz\], `|H|² G`: its mean square per hertz.
     ///
     /// # Errors
-    /// [`RandomError::Frequency`] for a frequency that is negative or not finite; [`RandomError::Undamped`] at the frequency of a mode without damping, [`RandomError::AtRest`]
+    /// [`RandomError::Frequency`] for a frequency that is negative or not finite; [`RandomError::NoDamping`] at the frequency of a mode without damping, [`RandomError::AtRest`]
     /// of what moves off at rest; [`RandomError::Unstable`] and [`RandomError::Level`] as [`random`](ModalResponse::random).
     pub fn power_at(&self, hertz: T, spectrum: &PowerSpectrum<'_, T>) -> Result<T, RandomError> {
         spectrum.checked()?;
@@ -177,7 +177,7 @@ impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
             is_undamped && range.holds(term.lambda.im)
         };
         match self.terms.iter().find(is_free) {
-            Some(term) => Err(RandomError::Undamped { omega: (term.lambda.im * turn()).to_f64() }),
+            Some(term) => Err(RandomError::NoDamping { omega: (term.lambda.im * turn()).to_f64() }),
             None => Ok(()),
         }
     }
