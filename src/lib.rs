@@ -197,11 +197,11 @@ pub mod search {
 /// responses with [`MemberMotion`](element::MemberMotion), in sensitivities with [`MemberGradient`](element::MemberGradient).
 pub mod element {
     pub use mstmm_core::{
-        BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Element, EndMotion, Ends,
-        Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line,
-        MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount, ParameterError, Planar,
-        Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace, Support,
-        TransferMatrix, Translation, WittrickWilliams,
+        BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Deflection, Element,
+        EndMotion, Ends, Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside,
+        InvalidParameter, Line, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount,
+        ParameterError, Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State,
+        StateSpace, Subspace, Support, TransferMatrix, Translation, WittrickWilliams,
     };
 }
 

@@ -4,14 +4,14 @@
 //! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    AxialForceError, Combination, Compliance, Coordinate, Direction, Directions, DiscreteStateSpace, Drawn, DrawnBody,
-    DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry,
-    EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, HoldOrder, InSpace, Label, MacError, MemberEnd,
-    MemberLabel, MemberState, ModalAnalysis, ModalStateSpace, MotionError, MovingNetwork, Orbit, OscillatorPeak,
-    ParticipationFactor, PeakOfMode, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
-    Planned, Point, ResponseSpectrum, Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError,
-    SpectrumTable, State, SystemStates, Tree, Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac,
-    oscillator_peak,
+    AxialForceError, Combination, Compliance, Coordinate, Crossing, Direction, Directions, DiscreteStateSpace, Drawn,
+    DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport, DrawnTree, EndMotion,
+    EnergyShares, Entry, EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis, HoldOrder, InSpace, Label,
+    MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, ModalStateSpace, MotionError, MovingLoad,
+    MovingNetwork, NotATrack, Orbit, OscillatorPeak, ParticipationFactor, PeakOfMode, PlaneEntry, PlaneFrequency,
+    PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, ResponseSpectrum, Root, Sample, ShapeList,
+    Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, TrackError, Tree, Truncation,
+    TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
 };
 #[cfg(feature = "std")]
 pub use mstmm_core::{StateMatrices, record_spectrum};

@@ -50,6 +50,8 @@ pub use answer::modal::state_space::ModalStateSpace;
 pub use answer::modal::state_space::StateMatrices;
 pub use answer::modal::truncation::{Truncation, Variation};
 pub use answer::mode_shape::{ModeShape, ShapeList};
+pub use answer::moving_load::crossing::Crossing;
+pub use answer::moving_load::load::MovingLoad;
 pub use answer::network::axial_forces::AxialForces;
 pub use answer::network::geometry::geometry_slopes;
 pub use answer::network::inside::MemberState;
@@ -69,6 +71,7 @@ pub use answer::tree_sketch::TreeSketch;
 pub use element::back_transfer::BackTransfer;
 pub use element::carries_load::CarriesLoad;
 pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit, brought, has_chart, one_motion};
+pub use element::deflection::Deflection;
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
@@ -105,6 +108,7 @@ pub use model::spectrum_error::SpectrumError;
 pub use model::speed_error::SpeedError;
 pub use model::state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub use model::tolerance_error::ToleranceError;
+pub use model::track_error::{NotATrack, TrackError};
 pub use model::truncation_error::TruncationError;
 pub use mstmm_plan::{
     Coordinate, Freedoms, Layout, NetworkOrder, OrderRoom, PathNode, Place, Scheme, Space, Step, Support, refuse_if,

@@ -8,6 +8,7 @@ mod damping;
 mod dislocations;
 mod fields;
 mod models;
+mod moving_loads;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]
 mod numbers;
