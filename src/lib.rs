@@ -39,6 +39,7 @@
 //! | the response in time to an impulse, a step, a history of forces or of the ground, with rates | [`modal_response`] |
 //! | how much of the mass each mode takes with it | [`participation`](motion::ModalAnalysis::participation) |
 //! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
+//! | an entry under loads that move along members; influence lines | [`moving_load`](motion::FrameAnalysis::moving_load) |
 //! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |
 //! | the exact ranges of all frequencies over a box of tolerances | [`ToleranceBox`](search::ToleranceBox), of fields [`between`](search::Between::between) |

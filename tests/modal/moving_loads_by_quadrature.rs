@@ -41,13 +41,16 @@ fn duhamel(omega: f64, ratio: f64, time: f64, parts: &[[f64; 2]], force: impl Fn
     sum
 }
 
+/// A load and the entry that it works with.
+type Pair<M> = (PlaneLoad<M>, PlaneEntry<M>);
+
 /// Compares a crossing with the quadrature of its modes, beside influence lines as motions under the loads that work with the entries.
 #[track_caller]
 fn assert_crossing<Y, E, const M: usize>(
     system: &Y,
     roots: &[NaturalFrequency],
     (members, lengths): ([MemberLabel<Y::Model, E>; M], [f64; M]),
-    pairs: &[(PlaneLoad<Y::Model>, PlaneEntry<Y::Model>)],
+    pairs: &[Pair<Y::Model>],
     speed: f64,
 ) where
     Y: FrameAnalysis<Parameter = f64> + MovingNetwork<f64>,

@@ -8,6 +8,28 @@ use num_complex::Complex;
 /// A force of 1 N that moves along a track with a speed, from its begin at t = 0 on.
 ///
 /// Its answers are closed forms: a time is as good as any other, and none needs another before it. [`MovingLoad`] says what is superposed.
+///
+/// ```
+/// use mstmm_core::frame::{Frame, Section};
+/// use mstmm_core::search::NaturalFrequencies;
+/// use mstmm_core::{FrameAnalysis, Support};
+///
+/// let mut frame = Frame::new();
+/// let [left, middle, right] = [0.0, 10.0, 20.0].map(|place| frame.point(place));
+/// frame.hold(left, Support::Pinned);
+/// frame.hold(right, Support::Pinned);
+/// let section = Section::new().bending_stiffness(5e8).mass_per_length(1500.0);
+/// let members = [frame.member(left, middle, section), frame.member(middle, right, section)];
+/// let bridge = frame.build()?;
+/// let roots = bridge.first_frequencies::<4>()?;
+/// let crossing = bridge.moving_load::<4, _>(&roots, &members, middle.displacement_y())?.at_speed(30.0)?;
+/// // two axles, of 60 and of 110 kN, 4 m apart
+/// let axles = [(0.0, -60e3), (4.0, -110e3)];
+/// let [lowest, highest] = crossing.envelope(&axles, 200);
+/// let at_one_time = crossing.axles(&axles, 0.4);
+/// assert!(lowest <= at_one_time && at_one_time < 0.0 && highest >= 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing<T, const N: usize, const M: usize> {
     load: MovingLoad<T, N, M>,
