@@ -41,6 +41,7 @@
 //! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
 //! | the root mean square under a load of a power spectrum | [`random`](motion::ModalResponse::random) |
 //! | the largest response over a band, with a guarantee | [`peak`](motion::FrequencyResponse::peak), [`over`](motion::FrequencyResponse::over) |
+//! | an entry under loads that move along members; influence lines | [`moving_load`](motion::FrameAnalysis::moving_load) |
 //! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |
 //! | the exact ranges of all frequencies over a box of tolerances | [`ToleranceBox`](search::ToleranceBox), of fields [`between`](search::Between::between) |
@@ -199,11 +200,11 @@ pub mod search {
 /// responses with [`MemberMotion`](element::MemberMotion), in sensitivities with [`MemberGradient`](element::MemberGradient).
 pub mod element {
     pub use mstmm_core::{
-        BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Element, EndMotion, Ends,
-        Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside, InvalidParameter, Line,
-        MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount, ParameterError, Planar,
-        Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State, StateSpace, Subspace, Support,
-        TransferMatrix, Translation, WittrickWilliams,
+        BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Deflection, Element,
+        EndMotion, Ends, Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside,
+        InvalidParameter, Line, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount,
+        ParameterError, Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State,
+        StateSpace, Subspace, Support, TransferMatrix, Translation, WittrickWilliams,
     };
 }
 

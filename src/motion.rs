@@ -4,15 +4,15 @@
 //! `Footbridge::conn_2`.
 
 pub use mstmm_core::{
-    AxialForceError, BandResponse, Combination, Compliance, Coordinate, CountedResponse, Direction, Directions,
-    DiscreteStateSpace, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep, DrawnSupport,
-    DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion, ExtendedTree, Extent, ForceHistory, FrameAnalysis,
-    HoldOrder, InSpace, Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis, ModalStateSpace,
-    MotionError, MovingNetwork, Orbit, OscillatorPeak, ParticipationFactor, Peak, PeakError, PeakOfMode, PlaneEntry,
-    PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates, Planned, Point, PowerSpectrum, RandomError,
-    RandomResponse, ResponseRatio, ResponseSpectrum, Root, Sample, ShapeList, Skew, SpacePoint, SpectralPeak,
-    SpectrumError, SpectrumTable, State, SystemStates, Tree, Truncation, TruncationError, Variation, WhirlAnalysis,
-    combined, mac, oscillator_peak,
+    AxialForceError, BandResponse, Combination, Compliance, Coordinate, CountedResponse, Crossing, Direction,
+    Directions, DiscreteStateSpace, Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPart, DrawnPoint, DrawnStep,
+    DrawnSupport, DrawnTree, EndMotion, EnergyShares, Entry, EntryMotion, ExtendedTree, Extent, ForceHistory,
+    FrameAnalysis, HoldOrder, InSpace, Label, MacError, MemberEnd, MemberLabel, MemberState, ModalAnalysis,
+    ModalStateSpace, MotionError, MovingLoad, MovingNetwork, NotATrack, Orbit, OscillatorPeak, ParticipationFactor,
+    Peak, PeakError, PeakOfMode, PlaneEntry, PlaneFrequency, PlanePoint, PlaneResponse, PlaneShapes, PlaneStates,
+    Planned, Point, PowerSpectrum, RandomError, RandomResponse, ResponseRatio, ResponseSpectrum, Root, Sample,
+    ShapeList, Skew, SpacePoint, SpectralPeak, SpectrumError, SpectrumTable, State, SystemStates, TrackError, Tree,
+    Truncation, TruncationError, Variation, WhirlAnalysis, combined, mac, oscillator_peak,
 };
 #[cfg(feature = "std")]
 pub use mstmm_core::{StateMatrices, record_spectrum};

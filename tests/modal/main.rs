@@ -9,6 +9,8 @@ mod dislocations;
 mod fields;
 mod in_hertz;
 mod models;
+mod moving_loads;
+mod moving_loads_by_quadrature;
 #[expect(dead_code, reason = "some of what is random")]
 #[path = "../support/random.rs"]
 mod numbers;

@@ -17,6 +17,7 @@ pub(crate) mod many_frequencies;
 pub(crate) mod misfit;
 pub(crate) mod modal;
 pub(crate) mod mode_shape;
+pub(crate) mod moving_load;
 pub(crate) mod network;
 pub(crate) mod orbit;
 pub(crate) mod peak;

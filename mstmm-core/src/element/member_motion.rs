@@ -1,5 +1,6 @@
 //! How a member of a plane structure moves between its ends, and the energies of its motion.
 
+use crate::element::deflection::Deflection;
 use crate::element::energies::Inside;
 use crate::element::traits::Element;
 use crate::model::{EndMotion, Ends, State};
@@ -95,6 +96,14 @@ pub trait MemberMotion<S: Scalar>: Element {
     #[inline]
     fn motion_at(_built: &Self::Built, motion: &MemberEnds<S>, _distance: f64) -> EndMotion<S> {
         motion.ends[1]
+    }
+
+    /// The deflection across the member, by which loads move along it. A line that moves in one freedom says its displacement in that.
+    ///
+    /// By default none: no load moves along a member whose motion is no sum of exponentials, as that of a tapered beam.
+    #[inline]
+    fn deflection(_built: &Self::Built, _motion: &MemberEnds<S>) -> Option<Deflection<S>> {
+        None
     }
 
     /// The work of loads of 1 per length along the member and across it on a motion, `[∫ u dx, ∫ y dx]`; `None` where no such load acts.

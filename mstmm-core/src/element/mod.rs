@@ -3,6 +3,7 @@
 pub(crate) mod back_transfer;
 pub(crate) mod carries_load;
 pub(crate) mod charted;
+pub(crate) mod deflection;
 pub(crate) mod energies;
 pub(crate) mod listed;
 pub(crate) mod member_gradient;
@@ -17,6 +18,7 @@ pub(crate) mod visit;
 pub(crate) use back_transfer::BackTransfer;
 pub(crate) use carries_load::CarriesLoad;
 pub(crate) use charted::{Charted, MemberChart, MemberElement, MemberVisit, along_member};
+pub(crate) use deflection::Deflection;
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
 pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};

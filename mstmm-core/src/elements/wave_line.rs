@@ -3,8 +3,8 @@
 //! They differ in their coordinate, in the names of their stiffness and inertia, and in whether they have a foundation.
 
 use crate::element::{
-    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion,
-    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
+    BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MemberEnds, MemberGradient,
+    MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
@@ -233,6 +233,10 @@ macro_rules! wave_lines {
             fn motion_at(built: &UniformLine<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
                 let inside = built.section.at(&Stretch::in_freedom(motion, freedom!($space)), T::from_f64(distance));
                 EndMotion::at_rest().in_freedom(freedom!($space), inside)
+            }
+
+            fn deflection(built: &UniformLine<T>, motion: &MemberEnds<S>) -> Option<Deflection<S>> {
+                Some(built.section.deflection(&Stretch::in_freedom(motion, freedom!($space))))
             }
 
             under_load!($space);

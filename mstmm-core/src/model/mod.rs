@@ -27,6 +27,7 @@ pub(crate) mod speed_error;
 pub(crate) mod state;
 pub(crate) mod tensor;
 pub(crate) mod tolerance_error;
+pub(crate) mod track_error;
 pub(crate) mod truncation_error;
 pub(crate) mod turns;
 
@@ -57,5 +58,6 @@ pub(crate) use speed_error::SpeedError;
 pub(crate) use state::{Bending, Planar, Rotation, State, StateSpace, Translation};
 pub(crate) use tensor::{Tensor, definite, least_moment};
 pub(crate) use tolerance_error::ToleranceError;
+pub(crate) use track_error::{NotATrack, TrackError};
 pub(crate) use truncation_error::TruncationError;
 pub(crate) use turns::hertz;

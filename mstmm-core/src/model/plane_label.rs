@@ -371,6 +371,11 @@ impl<M, E> MemberLabel<M, E> {
         MemberLabel { member, of: PhantomData }
     }
 
+    /// The label without the type of its member, so that those of members of several types stand in one list.
+    pub const fn of_any_type(self) -> MemberLabel<M, ()> {
+        MemberLabel::of(self.member)
+    }
+
     /// The input end.
     pub const fn input(self) -> MemberEnd<M> {
         MemberEnd { member: self.member, end: 0, of: PhantomData }

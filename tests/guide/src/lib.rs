@@ -53,6 +53,10 @@ struct Identification;
 struct ManyModels;
 
 #[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/moving_loads.md")]
+struct MovingLoads;
+
+#[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/no_std.md")]
 struct NoStd;
 

@@ -17,7 +17,7 @@ type Damped<T, const N: usize> = ModalResponse<T, N, ComplexEigenvalue>;
 ///
 /// # Errors
 /// [`MotionError::DampingRatio`] for one that is negative, or 1 and more.
-pub(super) fn checked<T: Real>(ratio: T) -> Result<T, MotionError> {
+pub(crate) fn checked<T: Real>(ratio: T) -> Result<T, MotionError> {
     let vibrates = ratio >= T::zero() && ratio < T::one();
     if vibrates { Ok(ratio) } else { Err(MotionError::DampingRatio { ratio: ratio.to_f64() }) }
 }
@@ -26,7 +26,7 @@ pub(super) fn checked<T: Real>(ratio: T) -> Result<T, MotionError> {
 ///
 /// # Errors
 /// [`MotionError::DampingRatios`] for another number of them.
-pub(super) fn check_count<T>(ratios: &[T], roots: usize) -> Result<(), MotionError> {
+pub(crate) fn check_count<T>(ratios: &[T], roots: usize) -> Result<(), MotionError> {
     let given = ratios.len();
     if given == roots { Ok(()) } else { Err(MotionError::DampingRatios { given, needed: roots }) }
 }
@@ -37,7 +37,7 @@ fn slowed_by<T: Real>(ratio: T) -> T {
 }
 
 /// The eigenvalue `-ζω + iω_d` of a mode with a damping ratio.
-pub(super) fn damped_by<T: Real>(omega: T, ratio: T) -> Complex<T> {
+pub(crate) fn damped_by<T: Real>(omega: T, ratio: T) -> Complex<T> {
     Complex::new(-(ratio * omega), slowed_by(ratio) * omega)
 }
 

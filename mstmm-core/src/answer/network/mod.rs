@@ -16,5 +16,6 @@ pub(crate) mod shape;
 pub(crate) mod sketch;
 pub(crate) mod spread_load;
 pub(crate) mod states;
+mod track;
 mod under_load;
 mod work;

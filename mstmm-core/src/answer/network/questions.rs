@@ -6,6 +6,7 @@ use crate::answer::modal::participation::{ParticipationFactor, collect};
 use crate::answer::modal::response::ModalResponse;
 use crate::answer::modal::state_space::{ModalStateSpace, each_of};
 use crate::answer::modal::truncation::{Side, Truncation, check_list};
+use crate::answer::moving_load::load::MovingLoad;
 use crate::answer::network::about::factor;
 use crate::answer::network::axial_forces::{AxialForces, axial_forces, settled_under, with_axial_forces};
 use crate::answer::network::moving_mass::moving_mass;
@@ -15,10 +16,14 @@ use crate::answer::network::response::PlaneResponse;
 use crate::answer::network::sensitivity::{PlaneChain, sensitivities};
 use crate::answer::network::shape::{PlaneShape, PlaneShapes, all, simple};
 use crate::answer::network::sketch::Sketch;
+use crate::answer::network::track::moving_load;
 use crate::answer::questions::MeaningOf;
 use crate::answer::root::{Root, simple_root};
 use crate::answer::sensitivity::Sensitivities;
-use crate::model::{AxialForceError, Direction, MotionError, ParameterError, PlaneEntry, PlaneLoad, TruncationError};
+use crate::model::{
+    AxialForceError, Direction, MemberLabel, MotionError, ParameterError, PlaneEntry, PlaneLoad, TrackError,
+    TruncationError,
+};
 use crate::number::Scalar;
 use crate::pass::characteristic::System;
 use crate::pass::network::{Drawn, MovingNetwork, Placed, PlaneFrequency, Prestressed};
@@ -232,6 +237,31 @@ pub trait FrameAnalysis: Placed + Sized {
         let own = entry.dual().ok_or(MotionError::NotModal)?;
         let of_entry = OfFrame::new(self, own, entry)?.side::<N>(roots, reach)?;
         Ok(Truncation::new(reach, of_load, of_entry))
+    }
+
+    /// An entry under a force of 1 N that moves across the members of a straight chain, in their order and along their arrows, as [`MovingLoad`] says: with up to `N` shapes of some roots, and
+    /// its exact influence line.
+    ///
+    /// Members are uniform beams and strings between places of the plane; a reaction is an entry, too. The labels of one list have one type: see
+    /// [`of_any_type`](MemberLabel::of_any_type).
+    ///
+    /// # Errors
+    /// [`TrackError::NotATrack`] for members that are no straight chain; [`TrackError::NoWaves`] and [`TrackError::Coincide`] for one without wave numbers that are told apart;
+    /// [`MotionError::ZeroFrequency`] for a root at rest; [`MotionError::Resonance`] where nothing holds a part of the structure; [`MotionError::Capacity`] for more than `N` shapes, or more
+    /// than both 4 and `N` of one root; else as [`mode_shapes`](FrameAnalysis::mode_shapes) and [`frequency_response`](FrameAnalysis::frequency_response).
+    #[inline(never)]
+    fn moving_load<'r, const N: usize, const M: usize>(
+        &self,
+        roots: impl IntoIterator<Item = &'r NaturalFrequency<<Self as System>::Parameter>>,
+        members: &[MemberLabel<Self::Model, impl Sized>; M],
+        entry: PlaneEntry<Self::Model>,
+    ) -> Result<MovingLoad<<Self as System>::Parameter, N, M>, TrackError>
+    where
+        <Self as System>::Parameter: PlaneFrequency<<Self as System>::Parameter> + 'r,
+        Self: MovingNetwork<<Self as System>::Parameter>,
+    {
+        const { assert!(!Self::SPINS, "a sum over modes of a rotor needs those of both whirls: take `frequency_response`") };
+        moving_load(self, roots, members.map(MemberLabel::handle), entry)
     }
 
     /// The axial forces of all members under loads at rest, tension positive, of first order: those of the structure as it is, in proportion to the loads.

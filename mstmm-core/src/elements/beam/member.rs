@@ -1,6 +1,6 @@
 //! A beam between two points of a plane structure: how it moves.
 
-use crate::element::{Forms, Inside, MemberEnds, MemberMotion};
+use crate::element::{Deflection, Forms, Inside, MemberEnds, MemberMotion};
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::model::EndMotion;
 use crate::number::{Oscillation, Real};
@@ -17,6 +17,10 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Beam<T> {
     fn motion_at(built: &BuiltBeam<T>, motion: &MemberEnds<S>, distance: f64) -> EndMotion<S> {
         let state = built.motion().state_at(&motion.bending(), T::from_f64(distance));
         EndMotion::bent(state)
+    }
+
+    fn deflection(built: &BuiltBeam<T>, motion: &MemberEnds<S>) -> Option<Deflection<S>> {
+        Some(built.motion().deflection(&motion.bending()))
     }
 
     fn load_work(built: &BuiltBeam<T>, motion: &MemberEnds<S>) -> Option<[S; 2]> {

@@ -1,8 +1,8 @@
 //! A beam with damping along a line.
 
 use crate::element::{
-    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient,
-    MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix,
+    BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
+    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix,
 };
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;

@@ -1,8 +1,8 @@
 //! A beam that spins about its axis, with damping.
 
 use crate::element::{
-    BackTransfer, CarriesLoad, Charted, DampingNumbers, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
-    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
+    BackTransfer, CarriesLoad, Charted, DampingNumbers, Deflection, Element, Energies, Forms, Inside, MatrixOf,
+    MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped_spinning::BuiltDampedSpinningBeam;

@@ -1,5 +1,6 @@
 //! States of a general beam between its ends.
 
+use crate::element::Deflection;
 use crate::elements::general_beam::constants::SectionAt;
 use crate::elements::general_beam::parameters::BeamParameters;
 use crate::elements::general_beam::transfer::units_of_states;
@@ -69,6 +70,20 @@ impl<T: Real> Inside<T> {
         let entries = [y * of_y, theta * of_theta, m * of_m * self.loss, q * of_q * self.loss];
         let [y, theta, m, q] = entries.map(S::from_complex);
         State { y, theta, m, q }
+    }
+
+    /// The deflection along the beam.
+    pub(super) fn deflection<S: Oscillation<T>>(&self) -> Deflection<S> {
+        let derivatives = |mut vector: Vector<T>| {
+            core::array::from_fn(|_| {
+                let [own, ..] = vector;
+                vector = self.section.derivative(vector);
+                S::from_complex(own * self.length)
+            })
+        };
+        let WavePair { sum, product, square } = self.section.waves;
+        let [sum, product, square] = [sum, product, square].map(S::from_complex);
+        Deflection { sum, product, square, ends: [self.input, self.output].map(derivatives) }
     }
 
     fn vector_at(&self, part: T) -> Vector<T> {

@@ -1,6 +1,6 @@
 //! General beams between points: along a line, and what they are across themselves in the plane.
 
-use crate::element::{Charted, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork};
+use crate::element::{Charted, Deflection, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork};
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
 use crate::elements::general_beam::of_built::members_of_built;

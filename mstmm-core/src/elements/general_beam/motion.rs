@@ -1,6 +1,6 @@
 //! The motion of a general beam: its energies and their derivatives with respect to its parameters.
 
-use crate::element::{Forms, Inside as Interior};
+use crate::element::{Deflection, Forms, Inside as Interior};
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::inside::{BeamMotion, Inside};
 use crate::elements::general_beam::parameters::BeamParameters;
@@ -80,6 +80,11 @@ impl<T: Real, S: Oscillation<T>> BeamMotion<T, S> {
     /// The state at a distance from the input end.
     pub(super) fn state_at(&self, ends: &Ends<S>, distance: T) -> State<S> {
         Inside::new(self, ends).state_at(distance)
+    }
+
+    /// The deflection with given states at both ends.
+    pub(super) fn deflection(&self, ends: &Ends<S>) -> Deflection<S> {
+        Inside::new(self, ends).deflection()
     }
 
     /// `∂L/∂EI = ½ e ∫ Θ'²`, `∂L/∂f = -½ ∫ (kGA)² e (Y' - Θ)²`, `∂L/∂T = ½ ∫ Y'²`, `∂L/∂k = ½ ∫ Y²`, `∂L/∂m = ½ λ² ∫ Y²`,

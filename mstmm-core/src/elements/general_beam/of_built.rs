@@ -116,6 +116,10 @@ macro_rules! members_of_built {
                 EndMotion::bent(built.motion(motion.x).state_at(&motion.bending(), T::from_f64(distance)))
             }
 
+            fn deflection(built: &Self::Built, motion: &MemberEnds<S>) -> Option<Deflection<S>> {
+                Some(built.motion(motion.x).deflection(&motion.bending()))
+            }
+
             fn load_work(built: &Self::Built, motion: &MemberEnds<S>) -> Option<[S; 2]> {
                 Some([S::zero(), built.motion(motion.x).load_work(&motion.bending())])
             }

@@ -1,8 +1,8 @@
 //! A beam that spins about its axis.
 
 use crate::element::{
-    BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MatrixOf, MemberEnds, MemberGradient,
-    MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
+    BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
+    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::kinds::GeneralBeam;

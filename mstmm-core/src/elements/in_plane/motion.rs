@@ -1,6 +1,8 @@
 //! Motions of an element of the plane between its ends: across itself and along it, side by side.
 
-use crate::element::{CarriesLoad, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork};
+use crate::element::{
+    CarriesLoad, Deflection, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork,
+};
 use crate::elements::in_plane::InPlane;
 use crate::elements::in_plane::across::{Across, Stretching};
 use crate::elements::in_plane::along::AlongMotion;
@@ -47,6 +49,10 @@ where
         let along = built.along.state_at(&Stretch::of(motion), distance);
         let bent = B::motion_at(&built.across, &across::<B, S>(motion), distance);
         turned::<B, S>(bent).stretched(along)
+    }
+
+    fn deflection(built: &Self::Built, motion: &MemberEnds<S>) -> Option<Deflection<S>> {
+        B::deflection(&built.across, &across::<B, S>(motion))
     }
 
     fn load_work(built: &Self::Built, motion: &MemberEnds<S>) -> Option<[S; 2]> {

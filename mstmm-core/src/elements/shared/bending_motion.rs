@@ -1,6 +1,6 @@
 //! Motions of a beam that bends: states between its ends, and the forms of mass and stiffness of two motions.
 
-use crate::element::{Forms, Inside, MemberEnds};
+use crate::element::{Deflection, Forms, Inside, MemberEnds};
 use crate::elements::beam::Beam;
 use crate::elements::shared::krylov::krylov;
 use crate::elements::shared::line_forms::{half, smaller_sum};
@@ -40,6 +40,21 @@ impl<T: Real> BendingMotion<T> {
     /// The wave number times the length, `z = βl`.
     pub(crate) fn z<S: Oscillation<T>>(&self, x: S) -> S {
         FrequencyPowers::new(x, true).powers[0] * self.wave
+    }
+
+    /// The deflection with given states at both ends: `y'''' = z⁴ y`.
+    pub(crate) fn deflection<S: Oscillation<T>>(&self, ends: &Ends<S>) -> Deflection<S> {
+        let (length, ei) = (self.parameters.length, self.parameters.bending_stiffness);
+        let fourth = -ends.x.lambda_squared() * self.wave_fourth;
+        let square = length * length;
+        let derivatives =
+            |State { y, theta, m, q }: State<S>| [y, theta * length, m * (square / ei), q * (square * length / ei)];
+        Deflection {
+            sum: S::zero(),
+            product: -fourth,
+            square: fourth * S::from_f64(4.0),
+            ends: [ends.input, ends.output].map(derivatives),
+        }
     }
 
     /// The state at a distance from the input end, given those at both ends.

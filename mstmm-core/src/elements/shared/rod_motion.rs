@@ -1,6 +1,6 @@
 //! Motions of a member that stretches, or of a line: displacement and force between its ends, and the forms of mass and stiffness of two motions.
 
-use crate::element::{Inside, MemberEnds, MemberWork};
+use crate::element::{Deflection, Inside, MemberEnds, MemberWork};
 use crate::elements::shared::bending_motion::{APART, LONG};
 use crate::elements::shared::krylov::cosine_and_sinc;
 use crate::elements::shared::line_forms::{half, smaller_sum};
@@ -60,6 +60,16 @@ impl<T: Real> LineSection<T> {
     /// The square of the wave number times a length, `ζ² = -(mλ² + k)l²/EA`, given `mλ² + k`.
     pub(crate) fn zeta_squared<S: Oscillation<T>>(&self, density: S, length: T) -> S {
         -density * (length * length / self.stiffness)
+    }
+
+    /// The displacement along a line: `y'' = κ y`.
+    pub(crate) fn deflection<S: Oscillation<T>>(&self, motion: &Stretch<S>) -> Deflection<S> {
+        let square = -self.zeta_squared(self.density(motion.x), self.length);
+        let derivatives = |[y, force]: [S; 2]| {
+            let slope = force * (self.length / self.stiffness);
+            [y, slope, square * y, square * slope]
+        };
+        Deflection { sum: square, product: S::zero(), square: square * square, ends: motion.ends.map(derivatives) }
     }
 
     /// The wave number times the length.
