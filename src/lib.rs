@@ -40,7 +40,7 @@
 //! | how much of the mass each mode takes with it | [`participation`](motion::ModalAnalysis::participation) |
 //! | the peak by the response spectrum of an earthquake; that of a record | [`spectral_peak`](motion::ModalResponse::spectral_peak), [`oscillator_peak`](motion::oscillator_peak) |
 //! | the root mean square under a load of a power spectrum | [`random`](motion::ModalResponse::random) |
-//! | the largest response over a band, with a guarantee | [`peak`](motion::FrequencyResponse::peak), [`over`](motion::FrequencyResponse::over) |
+//! | the largest response over a whole band, between two bounds | [`peak`](motion::FrequencyResponse::peak), [`over`](motion::FrequencyResponse::over) |
 //! | an entry under loads that move along members; influence lines | [`moving_load`](motion::FrameAnalysis::moving_load) |
 //! | a bound for what a list of modes leaves out | [`truncation`](motion::ModalAnalysis::truncation) |
 //! | how a root moves with each field of the model | [`sensitivity`] |

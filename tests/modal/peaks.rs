@@ -1,4 +1,4 @@
-//! Guaranteed peaks of responses over bands: exact values, closed forms, what is refused.
+//! Peaks of responses over bands: exact values, closed forms, what is refused.
 #![expect(clippy::unwrap_used, reason = "a model that does not build fails the test")]
 
 use crate::models::{Cantilever, number, reference};

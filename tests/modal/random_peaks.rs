@@ -1,4 +1,4 @@
-//! Guaranteed peaks of random damped structures with close modes, against dense samples of their responses.
+//! Peaks of random damped structures with close modes, against dense samples of their responses.
 #![expect(clippy::unwrap_used, reason = "a model that does not build fails the test")]
 
 use crate::numbers::Random;

@@ -1,11 +1,11 @@
-//! Errors of guaranteed peaks.
+//! Errors of peaks over a band.
 
 use crate::model::motion_error::MotionError;
 use crate::model::plain::error;
 use crate::model::search_error::SearchError;
 use core::fmt;
 
-/// Why a peak over a band is not proven.
+/// Why a peak over a band has no bound.
 #[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum PeakError {

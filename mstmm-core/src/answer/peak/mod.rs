@@ -1,4 +1,4 @@
-//! Guaranteed peaks of responses over a band: what users ask, and of which responses.
+//! Peaks of responses over a band: what users ask, and of which responses.
 
 pub(crate) mod of_modes;
 pub(crate) mod of_proportional;

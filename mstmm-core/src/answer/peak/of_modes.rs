@@ -48,7 +48,7 @@ impl<T: Real, const N: usize, M> Source for ModalResponse<T, N, M> {
 }
 
 impl<T: Real, const N: usize, M> ModalResponse<T, N, M> {
-    /// The largest size of the sum over a range of ω [rad/s], as [`peak`](crate::FrequencyResponse::peak) has that of an exact response; its guarantee rests on no count, since
+    /// The largest size of the sum over a range of ω [rad/s], as [`peak`](crate::FrequencyResponse::peak) has that of an exact response; its upper bound rests on no count, since
     /// all poles of the sum are known.
     ///
     /// It is the peak of the sum. The exact response differs from it by no more than what the list leaves out: the peak of that is up to the bound of

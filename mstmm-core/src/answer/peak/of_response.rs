@@ -196,7 +196,7 @@ macro_rules! peaks {
             Complex<T>: $number<T>,
             Y: $system<Complex<T>> + System<Parameter = T> + Spectrum,
         {
-            /// The largest size `|H(iω)|` over a range of ω [rad/s], with a guarantee: `lower` was found at `omega`, and nowhere in the range the response is
+            /// The largest size `|H(iω)|` over a range of ω [rad/s], between two bounds: `lower` was found at `omega`, and nowhere in the range the response is
             /// larger than `upper`, which is `1 + tolerance` times as large.
             ///
             /// `roots` are natural frequencies or eigenvalues in the band and about it. They are where the response is looked at first, and are divided
@@ -204,7 +204,7 @@ macro_rules! peaks {
             ///
             $(#[doc = $doc])*
             ///
-            /// **What the guarantee rests on.** The response without its poles is a polynomial on pieces of the band, with an error that a theorem bounds. It takes that no pole is
+            /// **What the upper bound rests on.** It is checked and not proven. The response without its poles is a polynomial on pieces of the band, with an error that a theorem bounds. It takes that no pole is
             /// left near the piece: [`count_in`](crate::search::Eigenvalues::count_in) counts them, by the argument principle. It takes the largest value on an ellipse about the piece, of which 16 values are
             /// known and four times their largest is taken; and the rounding of the response, of which no bound is known. Of a response that symmetry makes
             /// zero `upper` is what rounding may leave of it.

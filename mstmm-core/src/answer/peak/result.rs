@@ -1,4 +1,4 @@
-//! A guaranteed peak.
+//! The peak of a response over a band.
 
 use crate::model::{PeakError, turns};
 use crate::number::{Real, Scalar};
@@ -11,6 +11,9 @@ use core::ops::RangeInclusive;
 const OUTWARDS: f64 = 16.0;
 
 /// The largest size of a response over a band, or the least, between two bounds.
+///
+/// The bounds are checked and not proven: beside a theorem they rest on a count, on samples of the response about the band, and on a number of roundings.
+/// [`FrequencyResponse::peak`](crate::FrequencyResponse::peak) names all three.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peak<T = f64> {
     /// The angular frequency ω [rad/s] at which the response was found to be so large, or so small.

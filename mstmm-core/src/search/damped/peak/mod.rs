@@ -1,4 +1,4 @@
-//! The guaranteed peak of a response over a band.
+//! The peak of a response over a band, between two bounds.
 //!
 //! The largest of `|f/g|` over the band, where f is the response H and g is 1, or f and g are two responses of one system, or they have changed their
 //! places, of which the inverse is the least of the response. The band `λ = iω` is cut into pieces. A piece of the middle c and the half length h is
@@ -22,10 +22,10 @@
 //! `(γ |q| - |p|)(γ |q| + |p|)`, and the second factor is at most `2 γ |q|`. The left side is a polynomial. Its terms of order three and more are bounded by their
 //! coefficients, the rest is a parabola. Parts where that does not decide are halved, so that the last ones are a share of the cube root of the tolerance.
 //!
-//! What is above the level in a polynomial is evaluated, and raises the level: γ is never less than `1 + ε` times a value that was seen. The peak is proven when all pieces are
+//! What is above the level in a polynomial is evaluated, and raises the level: γ is never less than `1 + ε` times a value that was seen. The peak is bounded when all pieces are
 //! below the level.
 //!
-//! **What the certificate rests on.** On the count of eigenvalues in each box, by the argument principle as `count_in` has it, or by the proven count of the undamped system; for a
+//! **What the upper bound rests on, beside the theorem.** On the count of eigenvalues in each box, by the argument principle as `count_in` has it, or by the proven count of the undamped system; for a
 //! sum over modes on nothing. A count is not trusted alone: at two places between those of the values the polynomial has to be as near to F as its error says. On M, which is four times the largest of 16 values on the ellipse: a double pole just outside of the box exceeds them by three. On
 //! roundings of values, of which no bound is known: they are taken as 16 units of each value. All else is a theorem.
 
