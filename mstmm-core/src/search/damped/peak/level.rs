@@ -52,7 +52,7 @@ fn is_below(p: &Local, q: &Local, level: f64) -> bool {
     // a side has errors of one kind, so that those of the divisor are not enlarged
     let level = level * (1.0 - q.relative) / (1.0 + p.relative);
     let size = q.coefficients.iter().copied().map(modulus).sum::<f64>();
-    // of a level that is zero or negative, and of what is no number, nothing is proven
+    // a level that is zero or negative, or no number, does not pass
     if !(level > 0.0 && level * size > 0.0) {
         return false;
     }

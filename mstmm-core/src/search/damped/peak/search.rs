@@ -21,7 +21,7 @@ const FINEST: f64 = 2e-11;
 const SHORTEST: f64 = 1e-12;
 /// Distance of a pole from the band, in its radii, and in units of rounding of its size, up to which it counts as on it.
 const NEAR: [f64; 2] = [4.0, 64.0];
-/// Levels in units of what rounding leaves of zero, so that values that are rounding alone are proven to be below.
+/// Levels in units of what rounding leaves of zero, so that values that are rounding alone count as below.
 const ABOVE_NOISE: f64 = 1_048_576.0;
 /// Resonances of the list at which the response is looked at beforehand, so that levels are high from the beginning.
 const LOOKS: usize = 64;
@@ -48,7 +48,7 @@ pub(crate) struct Largest {
     pub(crate) omega: f64,
     /// That value; infinite where g vanishes.
     pub(crate) found: f64,
-    /// The level below which all are proven to be; infinite where g vanishes, or where rounding may make it vanish.
+    /// The level below which all were found to be; infinite where g vanishes, or where rounding may make it vanish.
     pub(crate) bound: f64,
     pub(crate) evaluations: usize,
 }
@@ -74,7 +74,7 @@ pub(super) struct Search<'s> {
     pub(super) best: Largest,
 }
 
-/// The largest of a ratio over a band, proven to a tolerance.
+/// The largest of a ratio over a band, to a tolerance.
 pub(crate) fn largest(
     source: &dyn Source,
     range: &RangeInclusive<f64>,
@@ -177,7 +177,7 @@ impl<'s> Search<'s> {
         vanishes
     }
 
-    /// The level that is to be proven.
+    /// The level that is tried.
     fn level(&self) -> f64 {
         (self.best.found * (1.0 + self.tolerance)).max(self.floor)
     }

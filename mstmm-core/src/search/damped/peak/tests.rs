@@ -191,7 +191,7 @@ fn peaks_of_sums(seeds: Range<u64>) {
     }
 }
 
-/// A level a millionth below the peak is never proven, wherever the search has begun.
+/// A level a millionth below the peak never passes, wherever the search has begun.
 fn false_levels(seeds: Range<u64>) {
     for seed in seeds {
         let sum = random(seed).with_all();
@@ -203,7 +203,7 @@ fn false_levels(seeds: Range<u64>) {
                 let Largest { found, .. } = search.run(Piece { start: 0.3, end: 3.0 }).unwrap();
                 assert!(
                     found >= expected * (1.0 - tolerance) * (1.0 - 1e-12),
-                    "{seed}: {below} below the peak was proven"
+                    "{seed}: {below} below the peak passed"
                 );
             }
         }
@@ -253,8 +253,8 @@ fn peaks_of_random_sums_hold_against_samples() {
 }
 
 #[test]
-fn false_levels_are_not_proven() {
-    // with these a level is proven if errors of polynomials, or terms beyond the parabola, are left out
+fn false_levels_do_not_pass() {
+    // with these a level passes if errors of polynomials, or terms beyond the parabola, are left out
     false_levels(1000..1008);
     false_levels(1056..1058);
 }
