@@ -1,6 +1,7 @@
 //! Functions of intervals: by their ends where they are monotone, with their turning points else.
 
 use crate::number::elementary::{Elementary, Function};
+use crate::number::floats::elementary;
 use crate::number::interval::{Interval, LIBRARY, NONE};
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -40,6 +41,16 @@ fn course(function: Function) -> (Course, [f64; 2]) {
     }
 }
 
+/// The largest whole number that is not above one.
+fn floor(value: f64) -> f64 {
+    elementary!(f64::floor, libm::floor, value)
+}
+
+/// Whether a whole number is even.
+fn is_even(number: f64) -> bool {
+    2.0 * floor(0.5 * number) == number
+}
+
 /// Whether multiples of a half turn are in an interval behind so many quarters of a turn: those of even and of odd number.
 fn turns_in(angles: Interval, quarters: f64) -> [bool; 2] {
     if !(angles.low.abs() < LARGEST_ANGLE && angles.high.abs() < LARGEST_ANGLE) {
@@ -47,9 +58,9 @@ fn turns_in(angles: Interval, quarters: f64) -> [bool; 2] {
     }
     let off = TURNING_POINT * (1.0 + angles.low.abs().max(angles.high.abs()));
     let half_turns = |angle: f64| (angle - quarters * FRAC_PI_2) / PI;
-    let first = half_turns(angles.low - off).ceil();
-    let last = half_turns(angles.high + off).floor();
-    let is_odd = |number: f64| number.rem_euclid(2.0) == 1.0;
+    let first = -floor(-half_turns(angles.low - off));
+    let last = floor(half_turns(angles.high + off));
+    let is_odd = |number: f64| !is_even(number);
     if first > last {
         [false; 2]
     } else if first == last {
@@ -139,7 +150,7 @@ impl Elementary for Interval {
         if exponent == 1.0 {
             return self;
         }
-        let is_even = exponent.rem_euclid(2.0) == 0.0;
+        let is_even = is_even(exponent);
         let base = if is_even { self.absolute() } else { self };
         let powers = [base.low, base.high].map(|end| end.power(exponent));
         let exact = [base.low, base.high].map(|end| end == 0.0);
@@ -151,7 +162,7 @@ impl Elementary for Interval {
     }
 
     fn power(self, exponent: Self) -> Self {
-        if exponent.low == exponent.high && exponent.low == exponent.low.trunc() {
+        if exponent.low == exponent.high && exponent.low == floor(exponent.low) {
             return self.whole_power(exponent.low);
         }
         // a power of a positive base is monotone in both

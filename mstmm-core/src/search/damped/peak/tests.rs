@@ -201,10 +201,7 @@ fn false_levels(seeds: Range<u64>) {
                 let mut search = Search::new(&sum, 0.3, Extreme::Peak, tolerance);
                 search.best.found = expected * (1.0 - below);
                 let Largest { found, .. } = search.run(Piece { start: 0.3, end: 3.0 }).unwrap();
-                assert!(
-                    found >= expected * (1.0 - tolerance) * (1.0 - 1e-12),
-                    "{seed}: {below} below the peak passed"
-                );
+                assert!(found >= expected * (1.0 - tolerance) * (1.0 - 1e-12), "{seed}: {below} below the peak passed");
             }
         }
     }
