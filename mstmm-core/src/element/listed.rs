@@ -7,7 +7,7 @@ use crate::number::{Real, Scalar};
 use mstmm_plan::Space;
 
 /// Parameters that an element of a list may have: the derivatives of a root stand in so many places per step.
-pub const MOST_PARAMETERS: usize = 11;
+pub const MOST_PARAMETERS: usize = 12;
 
 /// An element of a list, of any type.
 pub trait ListElement {
