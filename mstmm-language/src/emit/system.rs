@@ -130,14 +130,16 @@ fn build(model: &Model, plan: &Plan<'_>, names: &Names) -> TokenStream {
 pub(super) fn build_functions(model: &Model, doc: [&str; 2], spins: bool, names: &Names) -> TokenStream {
     let Names { private, system, parameter, .. } = names;
     let of_numbers = quote_spanned!(names.here=> #system<#parameter>);
+    let build_of = quote_spanned!(names.here=> #private::Build::build_of(self, &#private::Numbered::numbers(self)));
+    // a system is handed on as it is returned: it may be large
     let [built, built_as, result] = if spins {
         [
             quote_spanned!(names.here=> #private::Rotor<#system>),
             quote_spanned!(names.here=> #private::Rotor<#of_numbers>),
-            quote_spanned!(names.here=> #private::Rotor::new(system)),
+            quote_spanned!(names.here=> ::core::result::Result::Ok(#private::Rotor::new(#build_of?))),
         ]
     } else {
-        [quote_spanned!(names.here=> #system), of_numbers, quote_spanned!(names.here=> system)]
+        [quote_spanned!(names.here=> #system), of_numbers, build_of]
     };
     let (visibility, name) = (&model.parameters.vis, &model.parameters.ident);
     let [what, errors] = doc.map(|line| format!(" {line}"));
@@ -158,8 +160,7 @@ pub(super) fn build_functions(model: &Model, doc: [&str; 2], spins: bool, names:
             #visibility fn build_as<#parameter: #private::Real>(
                 &self,
             ) -> ::core::result::Result<#built_as, #private::ParameterError> {
-                let system = #private::Build::build_of(self, &#private::Numbered::numbers(self))?;
-                ::core::result::Result::Ok(#result)
+                #result
             }
         }
     }

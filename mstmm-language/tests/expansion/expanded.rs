@@ -79,11 +79,10 @@ impl DampedMass {
     pub fn build_as<T: mstmm::__private::Real>(
         &self,
     ) -> ::core::result::Result<DampedMassSystem<T>, mstmm::__private::ParameterError> {
-        let system = mstmm::__private::Build::build_of(
+        mstmm::__private::Build::build_of(
             self,
             &mstmm::__private::Numbered::numbers(self),
-        )?;
-        ::core::result::Result::Ok(system)
+        )
     }
 }
 impl mstmm::__private::Numbered for DampedMass {

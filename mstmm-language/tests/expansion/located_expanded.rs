@@ -381,11 +381,10 @@ const _: () = {
         pub fn build_as<T: mstmm::__private::Real>(
             &self,
         ) -> ::core::result::Result<MastSystem<T>, mstmm::__private::ParameterError> {
-            let system = mstmm::__private::Build::build_of(
+            mstmm::__private::Build::build_of(
                 self,
                 &mstmm::__private::Numbered::numbers(self),
-            )?;
-            ::core::result::Result::Ok(system)
+            )
         }
     }
     #[automatically_derived]
