@@ -27,7 +27,18 @@ pub(crate) struct Tally {
 
 /// The name of an error, without its numbers.
 fn kind(error: &SearchError) -> String {
-    format!("{error:?}").chars().take_while(|c| c.is_alphanumeric()).collect()
+    let kind = match error {
+        SearchError::Zero { .. } => "Zero",
+        SearchError::Unresolved { .. } => "Unresolved",
+        SearchError::Unproven { .. } => "Unproven",
+        SearchError::Unstable { .. } => "Unstable",
+        SearchError::TooFewRoots { .. } => "TooFewRoots",
+        SearchError::Effort { .. } => "Effort",
+        SearchError::NotANumber { .. } => "NotANumber",
+        SearchError::StillMoving { .. } => "StillMoving",
+        _ => "another kind",
+    };
+    kind.to_owned()
 }
 
 impl Tally {
