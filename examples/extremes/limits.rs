@@ -60,8 +60,7 @@ fn print_row(case: &str, last: Option<(f64, f64)>, next: &str) {
 /// An error by its type.
 fn name(failure: &Failure) -> String {
     if let Some(error) = failure.downcast_ref::<SearchError>() {
-        let text = format!("{error:?}");
-        return format!("`SearchError::{}`", text.split(' ').next().unwrap_or_default());
+        return format!("`SearchError::{}`", error.kind());
     }
     if failure.is::<ParameterError>() { String::from("`ParameterError`") } else { failure.to_string() }
 }

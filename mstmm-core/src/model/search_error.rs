@@ -138,6 +138,30 @@ pub enum SearchError {
     },
 }
 
+impl SearchError {
+    /// The name of its kind, for tables.
+    #[doc(hidden)]
+    pub fn kind(&self) -> &'static str {
+        match self {
+            SearchError::Range { .. } => "Range",
+            SearchError::Grid { .. } => "Grid",
+            SearchError::Tolerance { .. } => "Tolerance",
+            SearchError::NotANumber { .. } => "NotANumber",
+            SearchError::Zero { .. } => "Zero",
+            SearchError::StillMoving { .. } => "StillMoving",
+            SearchError::TooFewRoots { .. } => "TooFewRoots",
+            SearchError::Effort { .. } => "Effort",
+            SearchError::Unresolved { .. } => "Unresolved",
+            SearchError::Unproven { .. } => "Unproven",
+            SearchError::Unstable { .. } => "Unstable",
+            SearchError::LossFactor { .. } => "LossFactor",
+            SearchError::OtherWhirl { .. } => "OtherWhirl",
+            SearchError::Accumulation { .. } => "Accumulation",
+            SearchError::Capacity { .. } => "Capacity",
+        }
+    }
+}
+
 impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {

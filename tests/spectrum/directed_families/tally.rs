@@ -25,22 +25,6 @@ pub(crate) struct Tally {
     pub(crate) first: Option<String>,
 }
 
-/// The name of an error, without its numbers.
-fn kind(error: &SearchError) -> String {
-    let kind = match error {
-        SearchError::Zero { .. } => "Zero",
-        SearchError::Unresolved { .. } => "Unresolved",
-        SearchError::Unproven { .. } => "Unproven",
-        SearchError::Unstable { .. } => "Unstable",
-        SearchError::TooFewRoots { .. } => "TooFewRoots",
-        SearchError::Effort { .. } => "Effort",
-        SearchError::NotANumber { .. } => "NotANumber",
-        SearchError::StillMoving { .. } => "StillMoving",
-        _ => "another kind",
-    };
-    kind.to_owned()
-}
-
 impl Tally {
     /// A wrong answer.
     pub(crate) fn miss(&mut self, worst: f64, what: &dyn Debug) {
@@ -71,7 +55,7 @@ impl Tally {
     }
 
     pub(crate) fn refusal(&mut self, error: &SearchError) {
-        *self.refusals.entry(kind(error)).or_default() += 1;
+        *self.refusals.entry(error.kind().to_owned()).or_default() += 1;
     }
 
     /// A refusal of a kind that needs a name of its own.

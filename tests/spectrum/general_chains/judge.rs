@@ -79,9 +79,8 @@ fn exact_root(chain: &Chain, count: u64, near: f64) -> Option<(Exact, f64)> {
 
 impl Tally {
     fn refuse(&mut self, chain: &Chain, what: &str, error: &SearchError) {
-        let text = format!("{error:?}");
-        let kind = text.split([' ', '{']).next().unwrap_or_default();
-        let entry = self.refusals.entry(format!("{what} {kind}")).or_insert_with(|| (0, format!("{text} {chain:?}")));
+        let of_kind = format!("{what} {}", error.kind());
+        let entry = self.refusals.entry(of_kind).or_insert_with(|| (0, format!("{error} {chain:?}")));
         entry.0 += 1;
     }
 
