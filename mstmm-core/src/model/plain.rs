@@ -18,6 +18,7 @@ macro_rules! plain {
         }
     };
 }
+
 /// Makes a type an error whose `Debug` is its text, so that a program whose `main` returns it prints a sentence.
 macro_rules! error {
     ($name:ident) => {

@@ -44,11 +44,6 @@ impl Interval {
         self.low <= value && value <= self.high
     }
 
-    /// The number in the middle.
-    pub fn middle(self) -> f64 {
-        0.5 * self.low + 0.5 * self.high
-    }
-
     /// The same with ends that are so many neighbours further out.
     fn outwards(self, neighbours: usize) -> Self {
         let out = |end: f64, next: fn(f64) -> f64| (0..neighbours).fold(end, |end, _| next(end));

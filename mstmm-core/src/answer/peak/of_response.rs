@@ -45,64 +45,6 @@ pub trait BandResponse {
     fn is_of_the_same(&self, other: &Self) -> bool;
 }
 
-impl<T, Y> BandResponse for FrequencyResponse<'_, Y>
-where
-    T: Real,
-    Complex<T>: Oscillation<T>,
-    Y: ExtendedTree<Complex<T>> + System<Parameter = T> + Spectrum,
-{
-    type Number = T;
-
-    fn at_lambda(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
-        self.at(lambda)
-    }
-
-    fn size_at(&self, lambda: Complex<T>) -> Result<f64, MotionError> {
-        Ok(self.sized(lambda)?.size)
-    }
-
-    fn eigenvalues_in(&self, region: Region<T>) -> Result<u64, SearchError> {
-        self.system().count_in(region)
-    }
-
-    fn estimates(&self) -> FrequencyEstimates {
-        self.system().frequency_estimates()
-    }
-
-    fn is_of_the_same(&self, other: &Self) -> bool {
-        core::ptr::eq(self.system(), other.system())
-    }
-}
-
-impl<T, Y> BandResponse for PlaneResponse<'_, Y>
-where
-    T: Real,
-    Complex<T>: PlaneFrequency<T>,
-    Y: MovingNetwork<Complex<T>> + System<Parameter = T> + Spectrum,
-{
-    type Number = T;
-
-    fn at_lambda(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
-        self.at(lambda)
-    }
-
-    fn size_at(&self, lambda: Complex<T>) -> Result<f64, MotionError> {
-        Ok(self.sized(lambda)?.size)
-    }
-
-    fn eigenvalues_in(&self, region: Region<T>) -> Result<u64, SearchError> {
-        self.system().count_in(region)
-    }
-
-    fn estimates(&self) -> FrequencyEstimates {
-        self.system().frequency_estimates()
-    }
-
-    fn is_of_the_same(&self, other: &Self) -> bool {
-        core::ptr::eq(self.system(), other.system())
-    }
-}
-
 /// A response, or two of one system, with the list of its roots.
 pub(super) struct Listed<'r, R, Q> {
     pub(super) response: &'r R,
@@ -187,9 +129,38 @@ where
     }
 }
 
-/// The peak and the least value of a kind of response.
+/// What peaks ask of a kind of response, its peak and its least value.
 macro_rules! peaks {
     ($response:ident where $number:ident, $system:ident $(#[doc = $doc:literal])*) => {
+        impl<T, Y> BandResponse for $response<'_, Y>
+        where
+            T: Real,
+            Complex<T>: $number<T>,
+            Y: $system<Complex<T>> + System<Parameter = T> + Spectrum,
+        {
+            type Number = T;
+
+            fn at_lambda(&self, lambda: Complex<T>) -> Result<Complex<T>, MotionError> {
+                self.at(lambda)
+            }
+
+            fn size_at(&self, lambda: Complex<T>) -> Result<f64, MotionError> {
+                Ok(self.sized(lambda)?.size)
+            }
+
+            fn eigenvalues_in(&self, region: Region<T>) -> Result<u64, SearchError> {
+                self.system().count_in(region)
+            }
+
+            fn estimates(&self) -> FrequencyEstimates {
+                self.system().frequency_estimates()
+            }
+
+            fn is_of_the_same(&self, other: &Self) -> bool {
+                core::ptr::eq(self.system(), other.system())
+            }
+        }
+
         impl<T, Y> $response<'_, Y>
         where
             T: Real,
