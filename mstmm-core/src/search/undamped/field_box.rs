@@ -80,8 +80,8 @@ impl<'m, M: Formulas> FieldBox<'m, M> {
         Ok(FieldBox { model: low, fields, parts: M::Built::per_field(1) })
     }
 
-    /// The box with a field in parts, each as long. The range over the whole box is that of all parts together, and is the narrower the more there are. Each part costs two searches; of
-    /// several fields all combinations do.
+    /// The box with a field in parts, each as long. The range over the whole box is that of all parts together, and is the narrower the more there are. Each part costs two searches, and four or six
+    /// systems for each number that fields move; of several fields all combinations do.
     ///
     /// # Errors
     /// [`ToleranceError::NoSuchField`] for a name of no field that formulas depend on; [`ToleranceError::NoParts`] for no part.

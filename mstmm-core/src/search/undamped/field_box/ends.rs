@@ -74,7 +74,6 @@ const DONE: f64 = 2.0;
 pub(crate) struct Ends<M: Formulas> {
     soft: M::Numbers,
     stiff: M::Numbers,
-    marks: M::Numbers,
     /// Whether the ends are two models of the box.
     pub(crate) is_attained: bool,
 }
@@ -86,14 +85,15 @@ impl<M: Formulas> Ends<M> {
     /// As `Between::between`.
     pub(crate) fn of(model: &M, fields: &PerField<M, Interval>) -> Result<Self, ToleranceError> {
         let base = model.numbers();
-        let mut ends = Ends::<M> { soft: base, stiff: base, marks: base, is_attained: true };
-        ends.marks.as_mut().fill(UNSEEN);
+        let mut ends = Ends { soft: base, stiff: base, is_attained: true };
+        let mut marks = base;
+        marks.as_mut().fill(UNSEEN);
         let mut together = M::Built::per_field(Trend::Flat);
-        while let Some(trends) = ends.mark_next(model, fields) {
-            ends.bound(model, fields, &trends);
-            for place in 0..base.as_ref().len() {
-                if ends.marks.as_ref()[place] == AT_WORK {
-                    ends.marks.as_mut()[place] = DONE;
+        while let Some(trends) = mark_next(model, fields, marks.as_mut()) {
+            ends.bound(model, fields, &trends, marks.as_ref());
+            for (place, mark) in marks.as_mut().iter_mut().enumerate() {
+                if *mark == AT_WORK {
+                    *mark = DONE;
                     let acts = ends.order(model, &base, place, trends.as_ref())?;
                     for (all, own) in together.as_mut().iter_mut().zip(trends.as_ref()) {
                         *all = all.with(own.through(acts));
@@ -105,29 +105,8 @@ impl<M: Formulas> Ends<M> {
         Ok(ends)
     }
 
-    /// The trends of the first number that is not seen yet, if there is one; it is marked, and with it all others of these trends. A number whose fields are known stays what it is.
-    fn mark_next(&mut self, model: &M, fields: &PerField<M, Interval>) -> Option<PerField<M, Trend>> {
-        let mut next: Option<PerField<M, Trend>> = None;
-        let marks = self.marks.as_mut();
-        model.enclose(fields, &mut |place, number, slopes| {
-            if marks[place] != UNSEEN {
-                return;
-            }
-            let mut own = M::Built::per_field(Trend::Flat);
-            for ((trend, field), slope) in own.as_mut().iter_mut().zip(fields.as_ref()).zip(slopes) {
-                *trend = Trend::along_field(*field, number, *slope);
-            }
-            if own.as_ref().iter().all(|trend| *trend == Trend::Flat) {
-                marks[place] = DONE;
-            } else if next.get_or_insert(own).as_ref() == own.as_ref() {
-                marks[place] = AT_WORK;
-            }
-        });
-        next
-    }
-
     /// Bounds all marked numbers: from below in the soft row, from above in the stiff one.
-    fn bound(&mut self, model: &M, fields: &PerField<M, Interval>, trends: &PerField<M, Trend>) {
+    fn bound(&mut self, model: &M, fields: &PerField<M, Interval>, trends: &PerField<M, Trend>, marks: &[f64]) {
         let corner = |is_upper: bool| {
             let mut corner = *fields;
             for (field, trend) in corner.as_mut().iter_mut().zip(trends.as_ref()) {
@@ -139,7 +118,6 @@ impl<M: Formulas> Ends<M> {
             }
             corner
         };
-        let marks = self.marks.as_ref();
         let (soft, stiff) = (self.soft.as_mut(), self.stiff.as_mut());
         model.enclose(&corner(false), &mut |place, number, _| {
             if marks[place] == AT_WORK {
@@ -184,6 +162,26 @@ impl<M: Formulas> Ends<M> {
     pub(crate) fn systems(&self, model: &M) -> Result<ToleranceBox<M::Built>, ToleranceError> {
         ToleranceBox::between(model.built(&self.soft)?, model.built(&self.stiff)?)
     }
+}
+
+/// The trends of the first number that is not seen yet, if there is one; it is marked, and with it all others of these trends. A number whose fields are known stays what it is.
+fn mark_next<M: Formulas>(model: &M, fields: &PerField<M, Interval>, marks: &mut [f64]) -> Option<PerField<M, Trend>> {
+    let mut next: Option<PerField<M, Trend>> = None;
+    model.enclose(fields, &mut |place, number, slopes| {
+        if marks[place] != UNSEEN {
+            return;
+        }
+        let mut own = M::Built::per_field(Trend::Flat);
+        for ((trend, field), slope) in own.as_mut().iter_mut().zip(fields.as_ref()).zip(slopes) {
+            *trend = Trend::along_field(*field, number, *slope);
+        }
+        if own.as_ref().iter().all(|trend| *trend == Trend::Flat) {
+            marks[place] = DONE;
+        } else if next.get_or_insert(own).as_ref() == own.as_ref() {
+            marks[place] = AT_WORK;
+        }
+    });
+    next
 }
 
 /// Checks that another model differs from one by fields alone, as far as something may move frequencies: at its fields each formula of the first model has its number.
