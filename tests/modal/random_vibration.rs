@@ -199,7 +199,7 @@ pub(crate) fn table(random: &mut Random, lowest: f64, highest: f64) -> Vec<(f64,
     let (mut hertz, mut level) = (0.3 * lowest * (0.2 + random.unit()), 1e-3 + random.unit());
     let mut rows = vec![(hertz, level)];
     while hertz < highest {
-        let step = 1.0 + 2.0 * random.unit().powi(3);
+        let step = 1.001 + 2.0 * random.unit().powi(3);
         let slope = random.pick([0.0, -1.0, -3.0, 1.0, 2.0, -2.0, -5.0, 12.0, -17.3]);
         (hertz, level) = (hertz * step, level * step.powf(slope));
         rows.push((hertz, level));
