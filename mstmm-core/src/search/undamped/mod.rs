@@ -1,6 +1,7 @@
 //! Natural frequencies of undamped systems: proposed by searches that nobody has to trust, and proven.
 
 pub(crate) mod approach;
+mod at_rest;
 mod domination;
 pub(crate) mod field_box;
 pub(crate) mod found;

@@ -14,9 +14,6 @@ use crate::proof::visit::{Knowledge, Visited, Visitor, knowledge_of};
 use crate::search::room::add;
 use crate::search::undamped::found::{Found, NaturalFrequency};
 
-/// Parts of the next frequency below which those at rest are sought, least first.
-const AT_REST: [f64; 3] = [1e-9, 1e-6, 1e-3];
-
 /// Steps of one number by which the end of a range moves outward where rounding decides the count at it.
 const OUTWARD: usize = 8;
 
@@ -68,7 +65,7 @@ struct Proposals<'p, T> {
 /// Proofs of what is proposed for a system.
 pub(crate) struct Certification<'a, T> {
     pub(crate) prover: Prover<'a>,
-    estimates: FrequencyEstimates,
+    pub(super) estimates: FrequencyEstimates,
     /// The frequency beyond which a search gives up.
     limit: T,
     /// Whether all parts are known in numbers.
@@ -92,20 +89,6 @@ impl<'a, T: Real> Certification<'a, T> {
     /// Runs of the proof so far, in two words and in four.
     pub(crate) fn runs(&self) -> [usize; 2] {
         [self.prover.runs, self.prover.long_runs]
-    }
-
-    /// The number of motions that grow: at rest itself, or just below where something rests.
-    pub(crate) fn unstable_modes(&mut self) -> Result<u64, SearchError> {
-        if let Ok(count) = self.prover.count(T::zero(), 1.0) {
-            return Ok(count);
-        }
-        let scale = T::one().times_power_of_two(self.estimates.least_exponent());
-        for part in AT_REST {
-            if let Ok(count) = self.prover.count(scale * T::from_f64(part), -1.0) {
-                return Ok(count);
-            }
-        }
-        Err(self.refused(T::zero()))
     }
 
     /// Refuses a model with motions that grow.
@@ -224,34 +207,6 @@ impl<'a, T: Real> Certification<'a, T> {
         }
         let guess = if guess > lower { guess } else { lower * T::from_f64(1.5) };
         self.prover.bisected(index, lower, guess, self.limit)
-    }
-
-    /// The number of frequencies at rest, and a frequency that is proven to be above them and below all others; none where nothing rests.
-    fn at_rest(&mut self, next: Option<T>) -> Option<(u64, T)> {
-        let least = T::one().times_power_of_two(self.estimates.least_exponent());
-        for scale in [next, Some(least)].into_iter().flatten() {
-            for part in AT_REST {
-                let omega = scale * T::from_f64(part);
-                if let (Ok(0), Ok(count)) = (self.prover.count(omega, -1.0), self.prover.count(omega, 1.0)) {
-                    return (count > 0).then_some((count, omega));
-                }
-            }
-        }
-        None
-    }
-
-    /// The least part of the next frequency below which those at rest are proven to be.
-    fn upper_of_rest(&mut self, rest: NaturalFrequency<T>, next: Option<T>) -> T {
-        let Some(next) = next else { return rest.upper };
-        for part in AT_REST {
-            let omega = next * T::from_f64(part);
-            let at_least = self.prover.bound_at(omega, 1.0, Side::AtLeast, Precision::Two).count;
-            let below = self.prover.bound_at(omega, -1.0, Side::AtMost, Precision::Two).count;
-            if at_least >= Some(rest.multiplicity) && below == Some(0) {
-                return omega;
-            }
-        }
-        rest.upper
     }
 
     /// Adds to the last entry those frequencies behind it that are within the width of one entry.

@@ -19,6 +19,9 @@ const ROOTS_PER_WINDOW: f64 = 6.0;
 /// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
 pub(super) const BEYOND: f64 = 0.75;
 
+/// How far the frequencies of waves may be above the lowest estimate: a bracket of a window is halved some ten times, in the root of the frequency.
+const WIDEST: f64 = 1e6;
+
 /// Samples of a window at most, with those that are taken between others of several roots.
 pub(super) const SAMPLES: usize = 48;
 
@@ -54,6 +57,10 @@ where
     pub(super) fn new(single: &'s mut Isolation<'a, Y, T>) -> Option<Self> {
         let waves = single.estimates.wave_sum();
         let suits = cfg!(feature = "std") && T::IS_DOUBLE && waves > 0.0;
+        // where waves begin far above what else vibrates, a window would have all of that between two samples
+        let of_waves = (PI / waves) * (PI / waves);
+        let suits =
+            suits && of_waves < WIDEST * T::one().times_power_of_two(single.estimates.lowest_exponent()).to_f64();
         let suits = suits && if Y::IS_NETWORK { single.system.in_numbers().is_some() } else { Y::HAS_PHASES };
         suits.then(|| Together { single, block: Block::new(), samples: List::new(), waves, lanes: 1 })
     }
