@@ -202,7 +202,7 @@ pub mod element {
     pub use mstmm_core::{
         BackTransfer, Bending, CarriesLoad, Chart, Charted, Connecting, Coordinate, Covector, Deflection, Element,
         EndMotion, Ends, Energies, Extent, Forms, Freedoms, FrequencyEstimates, FrequencyPowers, Held, Inside,
-        InvalidParameter, Line, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, NoCount,
+        InvalidParameter, Line, MatrixOf, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, NoCount,
         ParameterError, Planar, Plane, PlaneStep, Requirement, RootCounter, Rotation, SMatrix, Space, State,
         StateSpace, Subspace, Support, TransferMatrix, Translation, WittrickWilliams,
     };

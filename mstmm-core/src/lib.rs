@@ -80,7 +80,7 @@ pub use element::charted::{Charted, MemberChart, MemberElement, MemberVisit, bro
 pub use element::deflection::Deflection;
 pub use element::energies::{Energies, Inside};
 pub use element::listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
+pub use element::member_gradient::{ByName, MemberGradient, MemberSlopes};
 pub use element::member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub use element::member_numbers::{MemberNumbers, OwnPart};
 pub use element::member_transfer::{MemberMatrix, MemberTransfer, PartState, member_transfer};

@@ -8,6 +8,7 @@ mod damping;
 mod dislocations;
 mod fields;
 mod in_hertz;
+mod massless;
 mod models;
 mod moving_loads;
 mod moving_loads_by_quadrature;

@@ -3,11 +3,11 @@
 use crate::answer::network::geometry::body_slopes;
 use crate::answer::network::shape::{PlaneShape, simple};
 use crate::answer::root::{Root, moved_by_work, simple_root};
-use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit, MemberWork};
+use crate::element::{MemberChart, MemberElement, MemberSlopes, MemberVisit};
 use crate::frame::{Body, Dimension, Framework, Member};
 use crate::model::MotionError;
 use crate::pass::network::vector::{difference, moved};
-use crate::pass::network::{PerMember, Placed, PlaneFrequency, member_works};
+use crate::pass::network::{Placed, PlaneFrequency};
 use mstmm_plan::Freedoms;
 
 /// The derivatives of a root with respect to the parameters of a frame, dω/dp or dλ/dp, by handles and names.
@@ -15,7 +15,6 @@ use mstmm_plan::Freedoms;
 pub struct FrameSensitivities<'a, D: Dimension, E: MemberElement<Parameter = f64>, S: PlaneFrequency<f64>> {
     frame: &'a Framework<D, E>,
     shape: PlaneShape<'a, Framework<D, E>, S>,
-    works: PerMember<Framework<D, E>, MemberWork<S>>,
 }
 
 /// What has parameters in a frame: a member or a body.
@@ -60,8 +59,7 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
             return Err(MotionError::ZeroFrequency);
         }
         let shape = simple(self, x)?;
-        let works = member_works(self, x, &shape.motion);
-        Ok(FrameSensitivities { frame: self, shape, works })
+        Ok(FrameSensitivities { frame: self, shape })
     }
 }
 
@@ -85,8 +83,8 @@ where
     S: PlaneFrequency<f64>,
 {
     fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
-        let FrameSensitivities { frame, works, .. } = sensitivities;
-        Ok(frame.slope(frame.parts_of(self.handle())?, works.as_slice(), name))
+        let FrameSensitivities { frame, shape } = sensitivities;
+        Ok(frame.slope(frame.parts_of(self.handle())?, |part| shape.member_ends(part), name))
     }
 }
 
@@ -97,7 +95,7 @@ where
     S: PlaneFrequency<f64>,
 {
     fn slope(self, sensitivities: &FrameSensitivities<'_, D, E, S>, name: &str) -> Result<Option<S>, MotionError> {
-        let FrameSensitivities { frame, shape, works } = sensitivities;
+        let FrameSensitivities { frame, shape } = sensitivities;
         let (node, centre) = frame.body(self)?;
         let position = Placed::node(*frame, node).0.position;
         let to_centre = difference(position, centre).map(S::from_f64);
@@ -107,7 +105,7 @@ where
         let entry = names.iter().position(|entry| *entry == name).map(|entry| by_entries[entry]);
         Ok(match name {
             "mass" => Some(by_mass),
-            _ => entry.or_else(|| frame.slope_of_spin(self, works.as_slice(), name)),
+            _ => entry.or_else(|| frame.slope_of_spin(self, |part| shape.member_ends(part), name)),
         })
     }
 }

@@ -21,7 +21,7 @@ pub(crate) use charted::{Charted, MemberChart, MemberElement, MemberVisit, along
 pub(crate) use deflection::Deflection;
 pub(crate) use energies::{Energies, Inside};
 pub(crate) use listed::{ListElement, ListMoving, ListStepping, MOST_PARAMETERS};
-pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes, MemberWork};
+pub(crate) use member_gradient::{ByName, MemberGradient, MemberSlopes};
 pub(crate) use member_motion::{Forms, MemberEnds, MemberMotion, VisitMember};
 pub(crate) use member_numbers::{
     BeamNumbers, BodyNumbers, DampingNumbers, Exact, LineNumbers, MemberNumbers, OwnPart, SpinNumbers, TaperedNumbers,

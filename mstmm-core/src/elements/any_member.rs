@@ -1,8 +1,8 @@
 //! Members of any type, for networks whose size the program decides.
 
 use crate::element::{
-    ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
-    MemberTransfer, MemberVisit, MemberWork, VisitMember, along_member, member_transfer,
+    ByName, Charted, Element, MemberChart, MemberElement, MemberEnds, MemberGradient, MemberMatrix, MemberNumbers,
+    MemberSlopes, MemberTransfer, MemberVisit, VisitMember, along_member, member_transfer,
 };
 use crate::elements::damped_joint::DampedJoint;
 use crate::elements::joint::Joint;
@@ -26,7 +26,7 @@ pub struct Section<T> {
     pub axial_stiffness: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     pub mass_per_length: T,
 }
 
@@ -219,13 +219,13 @@ macro_rules! any_member {
         }
 
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberSlopes<S> for $name<T> {
-            fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
+            fn slope(built: &$built<T>, motion: &MemberEnds<S>, name: &str) -> Option<S> {
                 match built {
-                    $built::Beam(beam) => <InPlane<Beam<T>> as MemberGradient<S>>::member_gradient(beam, work).by_name(name),
-                    $($built::$joint(joint) => <$joint<T> as MemberGradient<S>>::member_gradient(joint, work).by_name(name),)*
-                    $($built::$beam(beam) => <$kind as MemberGradient<S>>::member_gradient(beam, work).by_name(name),)*
+                    $built::Beam(beam) => <InPlane<Beam<T>> as MemberGradient<S>>::member_gradient(beam, motion).by_name(name),
+                    $($built::$joint(joint) => <$joint<T> as MemberGradient<S>>::member_gradient(joint, motion).by_name(name),)*
+                    $($built::$beam(beam) => <$kind as MemberGradient<S>>::member_gradient(beam, motion).by_name(name),)*
                     $($built::$connector(built) => {
-                        <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
+                        <$connector<T> as MemberGradient<S>>::member_gradient(built, motion).by_name(name)
                     })*
                 }
             }

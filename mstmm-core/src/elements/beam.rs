@@ -11,7 +11,6 @@ use mstmm_plan::Support;
 use nalgebra::Matrix4;
 
 mod chart;
-mod gradient;
 
 /// Uniform Euler-Bernoulli beam, exact at every frequency.
 ///
@@ -34,7 +33,7 @@ pub struct Beam<T> {
     pub length: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     pub mass_per_length: T,
 }
 
@@ -67,8 +66,11 @@ impl<T: Parameter> Element for Beam<T> {
         let Beam { length, bending_stiffness, mass_per_length } = self;
         Requirement::Positive.check("length", length)?;
         Requirement::Positive.check("bending_stiffness", bending_stiffness)?;
-        Requirement::Positive.check("mass_per_length", mass_per_length)?;
-        let square = (mass_per_length / bending_stiffness).sqrt();
+        Requirement::NonNegative.check("mass_per_length", mass_per_length)?;
+        // without mass there are no waves, and their units are those of any
+        let is_massless = mass_per_length.vanishes();
+        let of_waves = T::select(is_massless, bending_stiffness, mass_per_length);
+        let square = (of_waves / bending_stiffness).sqrt();
         let wave_number = square.sqrt();
         let square = square * length * length;
         let wave_units = Units::new(bending_stiffness, wave_number);
@@ -82,8 +84,8 @@ impl<T: Parameter> Element for Beam<T> {
         }
         Ok(BuiltBeam {
             parameters: self,
-            wave: wave_number * length,
-            wave_fourth: square * square,
+            wave: T::select(is_massless, T::zero(), wave_number * length),
+            wave_fourth: T::select(is_massless, T::zero(), square * square),
             wave_units,
             length_units,
         })

@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
-    MemberWork, PlaneStep, Spins, TransferMatrix, along_member,
+    PlaneStep, Spins, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::damped_stiffness::DampedStiffness;
@@ -98,7 +98,7 @@ impl<T: Parameter> Element for CrossCoupledSpring<T> {
     fn build(self) -> Result<Self::Built, InvalidParameter> {
         let CrossCoupledSpring { stiffness, loss_factor, kelvin_voigt_time: time, damping, .. } = self;
         let parameters = [stiffness, loss_factor, time, damping];
-        let spring = DampedStiffness::new(Requirement::Invertible, parameters, ["stiffness", "damping"])?;
+        let spring = DampedStiffness::new(Requirement::InvertibleOrZero, parameters, ["stiffness", "damping"])?;
         Requirement::Finite.check("cross_stiffness", self.cross_stiffness)?;
         Requirement::Finite.check("cross_damping", self.cross_damping)?;
         Ok(BuiltCrossCoupledSpring { spring, cross: [self.cross_stiffness, self.cross_damping], sense: T::one() })
@@ -164,9 +164,9 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for Cross
 impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for CrossCoupledSpring<T> {
     type Gradient = CrossCoupledSpring<S>;
 
-    fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> CrossCoupledSpring<S> {
-        let elongation = built.elongation(work.x, &work.ends);
-        built.gradient(work.x, elongation * elongation)
+    fn member_gradient(built: &Self::Built, motion: &MemberEnds<S>) -> CrossCoupledSpring<S> {
+        let elongation = built.elongation(motion.x, &motion.ends);
+        built.gradient(motion.x, elongation * elongation)
     }
 }
 

@@ -1,6 +1,6 @@
 //! A joint with damping of two points at one place.
 
-use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberWork, TransferMatrix};
+use crate::element::{Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, TransferMatrix};
 use crate::elements::DampedPlanarHinge;
 use crate::elements::shared::connector::{chart_of_joint, freedoms_of};
 use crate::elements::shared::damped_ties::DampedTies;
@@ -90,10 +90,9 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberMotion<S> for Dampe
 impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for DampedJoint<T> {
     type Gradient = DampedPlanarHinge<S>;
 
-    fn member_gradient(built: &BuiltDampedJoint<T>, work: &MemberWork<S>) -> DampedPlanarHinge<S> {
-        let motion = MemberEnds { x: work.x, ends: work.ends };
+    fn member_gradient(built: &BuiltDampedJoint<T>, motion: &MemberEnds<S>) -> DampedPlanarHinge<S> {
         let ([x, y, theta], [loss_factor, kelvin_voigt_time]) =
-            built.flexible.gradient(work.x, of_members(&built.flexible, &motion, &motion));
+            built.flexible.gradient(motion.x, of_members(&built.flexible, motion, motion));
         DampedPlanarHinge {
             stiffness_x: x[0],
             stiffness_y: y[0],

@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, Charted, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers,
-    MemberWork, PlaneStep, TransferMatrix, along_member,
+    PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::damped_stiffness::DampedStiffness;
@@ -35,7 +35,7 @@ macro_rules! damped_springs {
             type Built = DampedStiffness<T>;
 
             fn build(self) -> Result<DampedStiffness<T>, InvalidParameter> {
-                DampedStiffness::new(Requirement::Invertible, [$(self.$field),*], ["stiffness", "damping"])
+                DampedStiffness::new(Requirement::InvertibleOrZero, [$(self.$field),*], ["stiffness", "damping"])
             }
 
             fn member_numbers(built: &DampedStiffness<T>) -> MemberNumbers {
@@ -130,10 +130,9 @@ macro_rules! damped_springs {
         impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for $element<T> {
             type Gradient = $element<S>;
 
-            fn member_gradient(built: &DampedStiffness<T>, work: &MemberWork<S>) -> $element<S> {
-                let motion = MemberEnds { x: work.x, ends: work.ends };
+            fn member_gradient(built: &DampedStiffness<T>, motion: &MemberEnds<S>) -> $element<S> {
                 let elongation: S = built.elongation(&motion, freedom::<Self>());
-                let [$($field),*] = built.gradient(work.x, elongation * elongation);
+                let [$($field),*] = built.gradient(motion.x, elongation * elongation);
                 $element { $($field),* }
             }
         }

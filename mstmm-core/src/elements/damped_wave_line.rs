@@ -4,7 +4,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, Element, Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion,
-    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
+    MemberNumbers, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::damped_line::DampedLine;
@@ -234,8 +234,7 @@ macro_rules! damped_wave_lines {
         impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for $element<T> {
             type Gradient = $element<S>;
 
-            fn member_gradient(built: &DampedLine<T>, work: &MemberWork<S>) -> $element<S> {
-                let motion = MemberEnds { x: work.x, ends: work.ends };
+            fn member_gradient(built: &DampedLine<T>, motion: &MemberEnds<S>) -> $element<S> {
                 $element::of_gradient(built.gradient(&Stretch::in_freedom(&motion, freedom::<Self>())))
             }
         }
@@ -306,7 +305,7 @@ damped_wave_lines! {
     DampedString in Translation, Y {
         /// Tension H \[N\], positive.
         tension: translational_stiffness;
-        /// Mass per length m [kg/m], positive.
+        /// Mass per length m [kg/m], zero or positive.
         mass_per_length: mass;
         foundation {
             /// Stiffness k of the foundation per length [N/m²], zero or positive.
@@ -323,7 +322,7 @@ damped_wave_lines! {
     DampedRod in Translation, Y {
         /// Axial stiffness EA \[N\], positive.
         axial_stiffness: translational_stiffness;
-        /// Mass per length m [kg/m], positive.
+        /// Mass per length m [kg/m], zero or positive.
         mass_per_length: mass;
         foundation {
             /// Stiffness k of the foundation along the rod, per length [N/m²], zero or positive.
@@ -345,7 +344,7 @@ damped_wave_lines! {
     DampedShaft in Rotation, Theta {
         /// Torsional stiffness GJ [N m²], positive.
         torsional_stiffness: torsional_stiffness;
-        /// Polar inertia per length ρI_p [kg m], positive.
+        /// Polar inertia per length ρI_p [kg m], zero or positive.
         inertia_per_length: moment_of_inertia;
         foundation {}
         loss {

@@ -1,8 +1,7 @@
 //! The gyroscopic moment of a disc, between its point and the ground.
 
 use crate::element::{
-    ByName, Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, Spins,
-    TransferMatrix,
+    ByName, Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, Spins, TransferMatrix,
 };
 use crate::elements::shared::massless::off_pole;
 use crate::elements::shared::spin::Spin;
@@ -95,9 +94,9 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Gyroscope<T> {
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for Gyroscope<T> {
     type Gradient = Gyroscope<S>;
 
-    fn member_gradient(built: &Spin<T>, work: &MemberWork<S>) -> Gyroscope<S> {
-        let angle = turned(&work.ends);
-        let [polar_inertia, speed] = built.gradient(work.x, angle * angle);
+    fn member_gradient(built: &Spin<T>, motion: &MemberEnds<S>) -> Gyroscope<S> {
+        let angle = turned(&motion.ends);
+        let [polar_inertia, speed] = built.gradient(motion.x, angle * angle);
         Gyroscope { polar_inertia, speed }
     }
 }

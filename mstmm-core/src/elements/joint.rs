@@ -1,7 +1,7 @@
 //! Joint of two points at one place.
 
 use crate::element::{
-    Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, TransferMatrix,
+    Charted, Element, Forms, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, TransferMatrix,
 };
 use crate::elements::planar_hinge::hinge_matrix;
 use crate::elements::shared::connector::{chart_of_joint, freedoms_of};
@@ -130,10 +130,10 @@ impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for Joint<T> {
     type Gradient = PlanarHinge<S>;
 
     /// Half of the square of the elongation of each spring, which one without stiffness has, too.
-    fn member_gradient(built: &Self, work: &MemberWork<S>) -> PlanarHinge<S> {
+    fn member_gradient(built: &Self, motion: &MemberEnds<S>) -> PlanarHinge<S> {
         let [stiffness_x, stiffness_y, stiffness_theta] = [0, 1, 2].map(|freedom| {
             built.elastic[freedom].map_or(S::zero(), |stiffness| {
-                let elongation = elongation(stiffness, &work.ends, freedom);
+                let elongation = elongation(stiffness, &motion.ends, freedom);
                 half(elongation * elongation)
             })
         });

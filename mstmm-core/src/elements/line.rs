@@ -4,7 +4,7 @@
 
 use crate::element::{
     BackTransfer, Charted, DampingNumbers, Element, Energies, Forms, MemberEnds, MemberGradient, MemberMotion,
-    MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
+    MemberNumbers, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::connector::connector;
 use crate::elements::shared::line_forms::{displacements, elongations, half, unit_of};
@@ -196,11 +196,11 @@ macro_rules! massless {
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberGradient<S> for $element<T> {
             type Gradient = $element<S>;
 
-            fn member_gradient(built: &Self, work: &MemberWork<S>) -> $element<S> {
+            fn member_gradient(built: &Self, motion: &MemberEnds<S>) -> $element<S> {
                 let freedom = if is_rotation::<Self>() { 2 } else { 0 };
-                let elongation: S = parts!(built, $($field)*).elongation(work.x, &work.ends, freedom);
+                let elongation: S = parts!(built, $($field)*).elongation(motion.x, &motion.ends, freedom);
                 let form = half(elongation * elongation);
-                $element { $($field: slope!($field, work.x, form)),* }
+                $element { $($field: slope!($field, motion.x, form)),* }
             }
         }
 
@@ -289,8 +289,8 @@ line_elements! {
     /// # Source
     /// Eq. (3) of the paper.
     massless Spring in Translation, Y at Frequency {
-        /// Stiffness K [N/m], positive, with a finite reciprocal.
-        stiffness: Invertible, translational_stiffness;
+        /// Stiffness K [N/m], zero, or positive with a finite reciprocal; of zero it joins nothing.
+        stiffness: InvertibleOrZero, translational_stiffness;
     }
 
     /// Massless torsion spring, `M = K (Θ_O - Θ_I)`; mind the sign, which is opposite to that of a translational spring.
@@ -300,8 +300,8 @@ line_elements! {
     /// # Source
     /// Eq. (4) of the paper.
     massless TorsionSpring in Rotation, Theta at Frequency {
-        /// Stiffness K [N m/rad], positive, with a finite reciprocal.
-        stiffness: Invertible, torsional_stiffness;
+        /// Stiffness K [N m/rad], zero, or positive with a finite reciprocal; of zero it joins nothing.
+        stiffness: InvertibleOrZero, torsional_stiffness;
     }
 
     /// Massless viscous damper, `Q = Cλ (Y_I - Y_O)`.
@@ -336,8 +336,8 @@ line_elements! {
     /// # Source
     /// Eq. (39) of the paper.
     massless SpringDamper in Translation, Y at ComplexFrequency {
-        /// Stiffness K [N/m], positive, with a finite reciprocal.
-        stiffness: Invertible, translational_stiffness;
+        /// Stiffness K [N/m], zero, or positive with a finite reciprocal; of zero it joins nothing.
+        stiffness: InvertibleOrZero, translational_stiffness;
         /// Damping C [N s/m], zero or positive.
         damping: NonNegative, translational_damping;
     }
@@ -350,8 +350,8 @@ line_elements! {
     /// # Source
     /// Eq. (39) of the paper, on rotations as in eq. (4).
     massless TorsionSpringDamper in Rotation, Theta at ComplexFrequency {
-        /// Stiffness K [N m/rad], positive, with a finite reciprocal.
-        stiffness: Invertible, torsional_stiffness;
+        /// Stiffness K [N m/rad], zero, or positive with a finite reciprocal; of zero it joins nothing.
+        stiffness: InvertibleOrZero, torsional_stiffness;
         /// Damping C [N m s/rad], zero or positive.
         damping: NonNegative, torsional_damping;
     }

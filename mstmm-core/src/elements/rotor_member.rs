@@ -1,8 +1,8 @@
 //! Members of rotors at run time: members of other frames, beams that spin, discs and seals.
 
 use crate::element::{
-    ByName, Charted, Element, MemberChart, MemberElement, MemberGradient, MemberMatrix, MemberNumbers, MemberSlopes,
-    MemberSpins, MemberTransfer, MemberVisit, MemberWork, Spins, VisitMember, along_member, member_transfer,
+    ByName, Charted, Element, MemberChart, MemberElement, MemberEnds, MemberGradient, MemberMatrix, MemberNumbers,
+    MemberSlopes, MemberSpins, MemberTransfer, MemberVisit, Spins, VisitMember, along_member, member_transfer,
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
 use crate::elements::gyroscope::Gyroscope;
@@ -167,12 +167,12 @@ macro_rules! rotor_member {
         }
 
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberSlopes<S> for $name<T> {
-            fn slope(built: &$built<T>, work: &MemberWork<S>, name: &str) -> Option<S> {
+            fn slope(built: &$built<T>, motion: &MemberEnds<S>, name: &str) -> Option<S> {
                 match built {
-                    $built::Standing(built) => <$standing<T> as MemberSlopes<S>>::slope(built, work, name),
-                    $($built::$beam(built) => <$beam<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name),)*
+                    $built::Standing(built) => <$standing<T> as MemberSlopes<S>>::slope(built, motion, name),
+                    $($built::$beam(built) => <$beam<T> as MemberGradient<S>>::member_gradient(built, motion).by_name(name),)*
                     $($built::$connector(built) => {
-                        <$connector<T> as MemberGradient<S>>::member_gradient(built, work).by_name(name)
+                        <$connector<T> as MemberGradient<S>>::member_gradient(built, motion).by_name(name)
                     })*
                 }
             }

@@ -1,8 +1,7 @@
 //! The second plane of a string in space: there it moves across itself, and does not stretch once more.
 
 use crate::element::{
-    ByName, Charted, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork,
-    TransferMatrix,
+    ByName, Charted, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, TransferMatrix,
 };
 use crate::elements::Across;
 use crate::elements::in_plane::{ChartedAcross, Stretching};
@@ -118,11 +117,8 @@ impl<B: Stretching + MemberMotion<S>, S: Scalar> MemberMotion<S> for Sideways<B>
 impl<B: Stretching + MemberGradient<S>, S: Scalar> MemberGradient<S> for Sideways<B> {
     type Gradient = Sideways<B::Gradient>;
 
-    fn member_gradient(built: &B::Built, work: &MemberWork<S>) -> Sideways<B::Gradient> {
-        let mut work = *work;
-        work.ends = work.ends.map(turned);
-        work.kinetic = [work.kinetic[1], work.kinetic[0]];
-        Sideways { across: B::member_gradient(built, &work) }
+    fn member_gradient(built: &B::Built, motion: &MemberEnds<S>) -> Sideways<B::Gradient> {
+        Sideways { across: B::member_gradient(built, &along_path(motion)) }
     }
 }
 

@@ -1,8 +1,7 @@
 //! The twist of a beam in space: a shaft as long as its places are apart.
 
 use crate::element::{
-    ByName, Charted, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork,
-    TransferMatrix,
+    ByName, Charted, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberNumbers, TransferMatrix,
 };
 use crate::elements::in_plane::AlongWaves;
 use crate::elements::shared::chart_scalar::ChartScalar;
@@ -22,7 +21,7 @@ pub struct Twist<T> {
     pub length: T,
     /// Torsional stiffness GJ [N m²], positive.
     pub torsional_stiffness: T,
-    /// Polar inertia per length ρI_p [kg m], positive.
+    /// Polar inertia per length ρI_p [kg m], zero or positive.
     pub polar_inertia_per_length: T,
 }
 
@@ -33,7 +32,7 @@ pub struct DampedTwist<T> {
     pub length: T,
     /// Torsional stiffness GJ [N m²], positive.
     pub torsional_stiffness: T,
-    /// Polar inertia per length ρI_p [kg m], positive.
+    /// Polar inertia per length ρI_p [kg m], zero or positive.
     pub polar_inertia_per_length: T,
     /// Loss factor η of GJ, zero or positive.
     pub loss_factor: T,
@@ -115,8 +114,8 @@ macro_rules! twist {
         impl<T: Real, S: $frequency<T> + Oscillation<T>> MemberGradient<S> for $twist<T> {
             type Gradient = $twist<S>;
 
-            fn member_gradient(built: &$built<T>, work: &MemberWork<S>) -> $twist<S> {
-                let gradient = <$shaft<T> as MemberGradient<S>>::member_gradient(built, work);
+            fn member_gradient(built: &$built<T>, motion: &MemberEnds<S>) -> $twist<S> {
+                let gradient = <$shaft<T> as MemberGradient<S>>::member_gradient(built, motion);
                 let $shaft { length, torsional_stiffness, inertia_per_length, $($loss,)* .. } = gradient;
                 $twist { length, torsional_stiffness, polar_inertia_per_length: inertia_per_length, $($loss,)* }
             }

@@ -4,7 +4,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MemberEnds, MemberGradient,
-    MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix, along_member,
+    MemberMotion, MemberNumbers, PlaneStep, TransferMatrix, along_member,
 };
 use crate::elements::shared::chart_scalar::ChartScalar;
 use crate::elements::shared::line_forms::unit_of;
@@ -243,11 +243,11 @@ macro_rules! wave_lines {
             weight!($space);
         }
 
-        impl<T: Parameter, S: Frequency<T>> MemberGradient<S> for $element<T> {
+        impl<T: Real, S: Oscillation<T>> MemberGradient<S> for $element<T> {
             type Gradient = $element<S>;
 
-            fn member_gradient(built: &UniformLine<T>, work: &MemberWork<S>) -> $element<S> {
-                let [length, stiffness, inertia, _foundation] = built.member_gradient(work, freedom!($space));
+            fn member_gradient(built: &UniformLine<T>, motion: &MemberEnds<S>) -> $element<S> {
+                let [length, stiffness, inertia, _foundation] = built.section.gradient(&Stretch::in_freedom(motion, freedom!($space)));
                 $element { $length: length, $stiffness: stiffness, $inertia: inertia, $($foundation: _foundation)? }
             }
         }
@@ -293,7 +293,7 @@ wave_lines! {
         length;
         /// Tension H \[N\], positive.
         tension: translational_stiffness;
-        /// Mass per length m [kg/m], positive.
+        /// Mass per length m [kg/m], zero or positive.
         mass_per_length: mass;
         /// Stiffness k of the foundation per length [N/m²], zero or positive.
         foundation_stiffness;
@@ -310,7 +310,7 @@ wave_lines! {
         length;
         /// Axial stiffness EA \[N\], positive.
         axial_stiffness: translational_stiffness;
-        /// Mass per length m [kg/m], positive.
+        /// Mass per length m [kg/m], zero or positive.
         mass_per_length: mass;
         /// Stiffness k of the foundation along the rod, per length [N/m²], zero or positive.
         foundation_stiffness;
@@ -332,7 +332,7 @@ wave_lines! {
         length;
         /// Torsional stiffness GJ [N m²], positive.
         torsional_stiffness: torsional_stiffness;
-        /// Polar inertia per length ρI_p [kg m], positive.
+        /// Polar inertia per length ρI_p [kg m], zero or positive.
         inertia_per_length: moment_of_inertia;
     }
 }

@@ -34,7 +34,7 @@ parameters! {
     axial_stiffness,
     /// Bending stiffness EI [N m²], positive; in space about both axes.
     bending_stiffness,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     mass_per_length,
     /// Tension H of a string \[N\], positive.
     tension,

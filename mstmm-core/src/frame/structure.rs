@@ -1,8 +1,8 @@
 //! Built frames: structures that are searched and asked.
 
 use crate::element::{
-    MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberSlopes, MemberSpins, MemberTransfer, MemberVisit,
-    MemberWork, VisitMember,
+    MemberChart, MemberElement, MemberEnds, MemberMatrix, MemberNumbers, MemberSlopes, MemberSpins, MemberTransfer,
+    MemberVisit, VisitMember,
 };
 use crate::elements::any_member::{AnyMember, UndampedMember};
 use crate::elements::rotor_member::{RotorMember, UndampedRotorMember};
@@ -276,34 +276,44 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Framework<D, E> {
         self.bodies.get(index).copied().ok_or(MotionError::NoSuchPoint { index })
     }
 
-    /// `∂L/∂p` for a parameter of the gyroscopic moment of a body by its name, given the works of all parts.
-    pub(crate) fn slope_of_spin<S: Scalar>(&self, body: Body, works: &[MemberWork<S>], name: &str) -> Option<S>
+    /// `∂L/∂p` for a parameter of the gyroscopic moment of a body by its name, given the motion of each part.
+    pub(crate) fn slope_of_spin<S: Scalar>(
+        &self,
+        body: Body,
+        motion: impl Fn(usize) -> MemberEnds<S>,
+        name: &str,
+    ) -> Option<S>
     where
         E: MemberSlopes<S>,
     {
         let (_, part) = self.discs.iter().find(|(index, _)| *index == body.handle.index)?;
-        self.network.slope(*part, &works[*part], name)
+        self.network.slope(*part, &motion(*part), name)
     }
 
-    /// `∂L/∂p` for a parameter of a member by its name in a frame, given the works of its parts.
-    pub(crate) fn slope<S: Scalar>(&self, parts: Range<usize>, works: &[MemberWork<S>], name: &str) -> Option<S>
+    /// `∂L/∂p` for a parameter of a member by its name in a frame, given the motion of each of its parts.
+    pub(crate) fn slope<S: Scalar>(
+        &self,
+        parts: Range<usize>,
+        motion: impl Fn(usize) -> MemberEnds<S>,
+        name: &str,
+    ) -> Option<S>
     where
         E: MemberSlopes<S>,
     {
         let of_part = |part: usize| {
             let place = self.placement(part).part();
-            self.slope_of_part(part, &works[part], name_in(name, place)?)
+            self.slope_of_part(part, &motion(part), name_in(name, place)?)
         };
         let slopes = parts.filter_map(of_part);
         slopes.reduce(|sum, slope| sum + slope)
     }
 
     /// `∂L/∂p` for a parameter of a part by its name there.
-    fn slope_of_part<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    fn slope_of_part<S: Scalar>(&self, member: usize, motion: &MemberEnds<S>, name: &str) -> Option<S>
     where
         E: MemberSlopes<S>,
     {
-        let of = |name: &str| self.network.slope(member, work, name);
+        let of = |name: &str| self.network.slope(member, motion, name);
         match name {
             // the length of a beam is that between its points
             "length" if self.placement(member).freedoms.count() > 1 => None,

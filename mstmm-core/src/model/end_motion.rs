@@ -23,13 +23,6 @@ impl<S: Scalar> EndMotion<S> {
         EndMotion { displacements: [S::zero(); 3], forces: [S::zero(); 3] }
     }
 
-    /// Leaves nothing but what is along the member.
-    pub(crate) fn keep_longitudinal(&mut self) {
-        for part in [&mut self.displacements, &mut self.forces] {
-            part[1..].fill(S::zero());
-        }
-    }
-
     /// Axial force, shear and bending moment, of forces on the input end 0 or on the output end 1.
     pub(crate) fn internal(&self, end: usize) -> [S; 3] {
         let [along, across, moment] = self.forces;

@@ -754,7 +754,6 @@ const _: () = {
         fn plane_chain(
             &self,
             states: &mstmm::__private::PlaneStates<'_, Self, S>,
-            works: &[mstmm::__private::MemberWork<S>],
         ) -> Self::PerField<S> {
             let zeros = <Self as mstmm::__private::Fields>::per_field(
                 mstmm::__private::Scalar::from_f64(0.0),
@@ -769,14 +768,14 @@ const _: () = {
                 mstmm::__private::elements::Beam<T>,
             > as mstmm::__private::MemberGradient<
                 S,
-            >>::member_gradient(&self.member_0, &works[0usize]);
+            >>::member_gradient(&self.member_0, &states.member_ends(0usize));
             lengths[0usize] = gradient.across.length;
             let values = (stiffness,);
             let gradient = <mstmm::__private::elements::Spring<
                 T,
             > as mstmm::__private::MemberGradient<
                 S,
-            >>::member_gradient(&self.member_1, &works[1usize]);
+            >>::member_gradient(&self.member_1, &states.member_ends(1usize));
             chain.add(gradient.stiffness, values.0);
             let mut slopes = [mstmm::__private::Scalar::from_f64(0.0); 10usize];
             mstmm::__private::geometry_slopes(

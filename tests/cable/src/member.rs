@@ -3,7 +3,6 @@
 use crate::Cable;
 use mstmm::element::{
     Chart, Charted, EndMotion, Energies, Forms, FrequencyPowers, Inside, MemberEnds, MemberGradient, MemberMotion,
-    MemberWork,
 };
 use mstmm::number::{Frequency, Oscillation, Parameter, Real, Size};
 
@@ -44,7 +43,7 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Cable<T> {
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for Cable<T> {
     type Gradient = Cable<S>;
 
-    fn member_gradient(cable: &Self, work: &MemberWork<S>) -> Cable<S> {
-        Self::gradient(cable, &MemberEnds { x: work.x, ends: work.ends }.translation())
+    fn member_gradient(cable: &Self, motion: &MemberEnds<S>) -> Cable<S> {
+        Self::gradient(cable, &motion.translation())
     }
 }

@@ -92,11 +92,6 @@ where
         self.system.visit_member(member, InsideOf(self.x)).flatten().ok_or(MotionError::NoInside)
     }
 
-    /// The motion of both ends of a member.
-    pub(super) fn member_ends(&self, member: usize) -> MemberEnds<S> {
-        MemberEnds { x: self.x, ends: self.motion.members.as_ref()[member] }
-    }
-
     /// The motion of a cross section of a member, in its axes.
     pub(super) fn motion_at(&self, member: usize, distance: f64) -> EndMotion<S> {
         let (motion, load) = (self.member_ends(member), self.load_on(member));

@@ -4,10 +4,9 @@ use crate::answer::network::shape::simple;
 use crate::answer::network::states::PlaneStates;
 use crate::answer::root::moved_by_work;
 use crate::answer::sensitivity::Sensitivities;
-use crate::element::MemberWork;
 use crate::model::{Fields, MotionError};
 use crate::pass::characteristic::System;
-use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, member_works};
+use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency};
 
 /// A built plane structure whose dynamic work has derivatives with respect to the fields of the model.
 #[diagnostic::on_unimplemented(
@@ -15,9 +14,9 @@ use crate::pass::network::{MovingNetwork, Placed, PlaneFrequency, member_works};
     note = "a network as a list has none: its model in `system!` has them"
 )]
 pub trait PlaneChain<S: PlaneFrequency<<Self as System>::Parameter>>: Fields + Placed {
-    /// `∂L/∂(field)`, summed over members, whose motions are given, places, directions and masses.
+    /// `∂L/∂(field)`, summed over members, places, directions and masses.
     #[doc(hidden)]
-    fn plane_chain(&self, states: &PlaneStates<'_, Self, S>, works: &[MemberWork<S>]) -> Self::PerField<S>
+    fn plane_chain(&self, states: &PlaneStates<'_, Self, S>) -> Self::PerField<S>
     where
         Self: Sized;
 }
@@ -32,8 +31,7 @@ where
         return Err(MotionError::ZeroFrequency);
     }
     let shape = simple(system, x)?;
-    let works = member_works(system, x, &shape.motion);
-    let mut values = system.plane_chain(&shape, works.as_ref());
+    let mut values = system.plane_chain(&shape);
     let factor = moved_by_work::<<Y as System>::Parameter, S>(x);
     for value in values.as_mut() {
         *value *= factor;

@@ -1,5 +1,6 @@
 //! What a plane structure does in one motion.
 
+use crate::element::MemberEnds;
 use crate::model::{
     EndMotion, Handle, Hold, MemberPlane, MotionError, PlaneEntry, PlanePoint, Quantity, Site, SpreadLoad, Tied,
 };
@@ -55,6 +56,12 @@ impl<'a, Y: Placed, S: Frequency<Y::Parameter>> PlaneStates<'a, Y, S> {
     pub fn member(&self, member: usize) -> Result<&[EndMotion<S>; 2], MotionError> {
         let members = &self.motion.members.as_ref()[..self.system.sizes()[1]];
         members.get(member).ok_or(MotionError::NoSuchPoint { index: member })
+    }
+
+    /// The frequency and the motions of both ends of a member.
+    #[doc(hidden)]
+    pub fn member_ends(&self, member: usize) -> MemberEnds<S> {
+        MemberEnds { x: self.x, ends: self.motion.members.as_ref()[member] }
     }
 
     /// Displacements x \[m\], y \[m\] and the rotation about z \[rad\] of a node.

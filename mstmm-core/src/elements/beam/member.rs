@@ -1,6 +1,6 @@
 //! A beam between two points of a plane structure: how it moves.
 
-use crate::element::{Deflection, Forms, Inside, MemberEnds, MemberMotion};
+use crate::element::{Deflection, Forms, Inside, MemberEnds, MemberGradient, MemberMotion};
 use crate::elements::beam::{Beam, BuiltBeam};
 use crate::model::EndMotion;
 use crate::number::{Oscillation, Real};
@@ -38,5 +38,13 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for Beam<T> {
         distance: f64,
     ) -> EndMotion<S> {
         EndMotion::bent(built.motion().state_under(&motion.bending(), load, T::from_f64(distance)))
+    }
+}
+
+impl<T: Real, S: Oscillation<T>> MemberGradient<S> for Beam<T> {
+    type Gradient = Beam<S>;
+
+    fn member_gradient(built: &BuiltBeam<T>, motion: &MemberEnds<S>) -> Beam<S> {
+        built.motion().gradient(&motion.bending())
     }
 }

@@ -6,7 +6,6 @@ use crate::elements::shared::back_transfer::BendingBackTransfer;
 use crate::elements::shared::bending_motion::BendingMotion;
 use crate::elements::shared::compound::Units;
 use crate::elements::shared::krylov::krylov;
-use crate::elements::shared::line_forms::half;
 use crate::model::{Ends, State};
 use crate::number::{FrequencyPowers, Oscillation, Real, WaveFunctions};
 use crate::subspace::{Covector, Subspace};
@@ -85,15 +84,8 @@ impl<T: Real, S: Oscillation<T>> Energies<S> for Beam<T> {
         S::from_parameter(built.parameters.mass_per_length)
     }
 
-    /// The derivative with respect to the length is constant along the beam, `λ² m Y²/2 - M²/(2 EI) + Θ Q`.
     fn gradient(built: &BuiltBeam<T>, ends: &Ends<S>) -> Beam<S> {
-        let [mass, stiffness] = built.motion().forms(ends, ends).map(half);
-        let Beam { bending_stiffness, mass_per_length, .. } = built.parameters;
-        Beam {
-            length: built.motion().flow(ends),
-            bending_stiffness: stiffness * (T::one() / bending_stiffness),
-            mass_per_length: ends.x.lambda_squared() * mass * (T::one() / mass_per_length),
-        }
+        built.motion().gradient(ends)
     }
 }
 

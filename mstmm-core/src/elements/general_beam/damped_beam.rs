@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
-    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, TransferMatrix,
+    MemberGradient, MemberMotion, MemberNumbers, PlaneStep, TransferMatrix,
 };
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::compound::GeneralCompound;
@@ -34,7 +34,7 @@ pub struct DampedBeam<T> {
     pub length: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     pub mass_per_length: T,
     /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
     pub shear_stiffness: T,
@@ -203,8 +203,8 @@ impl<T: Real> CarriesLoad for DampedBeam<T> {}
 impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for DampedBeam<T> {
     type Gradient = DampedBeam<S>;
 
-    fn member_gradient(built: &BuiltDampedBeam<T>, work: &MemberWork<S>) -> DampedBeam<S> {
-        DampedBeam::gradient_of(built, &MemberEnds { x: work.x, ends: work.ends }.bending())
+    fn member_gradient(built: &BuiltDampedBeam<T>, motion: &MemberEnds<S>) -> DampedBeam<S> {
+        DampedBeam::gradient_of(built, &motion.bending())
     }
 }
 

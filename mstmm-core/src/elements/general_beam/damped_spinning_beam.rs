@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, DampingNumbers, Deflection, Element, Energies, Forms, Inside, MatrixOf,
-    MemberEnds, MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
+    MemberEnds, MemberGradient, MemberMotion, MemberNumbers, PlaneStep, Spins, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::damped_spinning::BuiltDampedSpinningBeam;
@@ -32,7 +32,7 @@ pub struct DampedSpinningBeam<T> {
     pub length: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     pub mass_per_length: T,
     /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
     pub shear_stiffness: T,
@@ -173,8 +173,8 @@ members_of_built!(DampedSpinningBeam at ComplexFrequency);
 impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> MemberGradient<S> for DampedSpinningBeam<T> {
     type Gradient = DampedSpinningBeam<S>;
 
-    fn member_gradient(built: &Self::Built, work: &MemberWork<S>) -> DampedSpinningBeam<S> {
-        let ends = MemberEnds { x: work.x, ends: work.ends }.bending();
+    fn member_gradient(built: &Self::Built, motion: &MemberEnds<S>) -> DampedSpinningBeam<S> {
+        let ends = motion.bending();
         <DampedSpinningBeam<T> as Energies<S>>::gradient(built, &ends)
     }
 }

@@ -43,7 +43,7 @@ macro_rules! kinds {
             pub length: T,
             /// Bending stiffness EI [N m²], positive.
             pub bending_stiffness: T,
-            /// Mass per length m [kg/m], positive.
+            /// Mass per length m [kg/m], zero or positive.
             pub mass_per_length: T,
             $($(#[$field_doc])* pub $field: T,)*
         }

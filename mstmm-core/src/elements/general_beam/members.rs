@@ -1,6 +1,6 @@
 //! General beams between points: along a line, and what they are across themselves in the plane.
 
-use crate::element::{Charted, Deflection, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork};
+use crate::element::{Charted, Deflection, Forms, Inside, MemberEnds, MemberGradient, MemberMotion};
 use crate::elements::general_beam::BuiltGeneralBeam;
 use crate::elements::general_beam::kinds::{BeamColumn, FoundationBeam, GeneralBeam, RayleighBeam, TimoshenkoBeam};
 use crate::elements::general_beam::of_built::members_of_built;
@@ -36,9 +36,9 @@ macro_rules! members {
         impl<T: Real, S: Oscillation<T>> MemberGradient<S> for $kind<T> {
             type Gradient = $kind<S>;
 
-            fn member_gradient(built: &BuiltGeneralBeam<T>, work: &MemberWork<S>) -> $kind<S> {
-                let ends = MemberEnds { x: work.x, ends: work.ends }.bending();
-                $kind::of_gradient(built.motion(work.x).gradient(&ends), &built.parameters)
+            fn member_gradient(built: &BuiltGeneralBeam<T>, motion: &MemberEnds<S>) -> $kind<S> {
+                let ends = motion.bending();
+                $kind::of_gradient(built.motion(motion.x).gradient(&ends), &built.parameters)
             }
         }
 

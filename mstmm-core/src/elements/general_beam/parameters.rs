@@ -40,7 +40,7 @@ impl<T: Parameter> BeamParameters<T> {
     pub(super) fn check(&self, shear_stiffness: T) -> Result<(), InvalidParameter> {
         Requirement::Positive.check("length", self.length)?;
         Requirement::Positive.check("bending_stiffness", self.bending_stiffness)?;
-        Requirement::Positive.check("mass_per_length", self.mass_per_length)?;
+        Requirement::NonNegative.check("mass_per_length", self.mass_per_length)?;
         Requirement::NonNegative.check("rotary_inertia", self.rotary_inertia)?;
         Requirement::NonNegative.check("foundation_stiffness", self.foundation_stiffness)?;
         Requirement::NonNegative.check("foundation_shear_stiffness", self.foundation_shear_stiffness)?;

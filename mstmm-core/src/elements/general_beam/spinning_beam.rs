@@ -2,7 +2,7 @@
 
 use crate::element::{
     BackTransfer, CarriesLoad, Charted, Deflection, Element, Energies, Forms, Inside, MatrixOf, MemberEnds,
-    MemberGradient, MemberMotion, MemberNumbers, MemberWork, PlaneStep, Spins, TransferMatrix,
+    MemberGradient, MemberMotion, MemberNumbers, PlaneStep, Spins, TransferMatrix,
 };
 use crate::elements::general_beam::compound::GeneralCompound;
 use crate::elements::general_beam::kinds::GeneralBeam;
@@ -36,7 +36,7 @@ pub struct SpinningBeam<T> {
     pub length: T,
     /// Bending stiffness EI [N m²], positive.
     pub bending_stiffness: T,
-    /// Mass per length m [kg/m], positive.
+    /// Mass per length m [kg/m], zero or positive.
     pub mass_per_length: T,
     /// Shear stiffness `k G A` \[N\], positive, with a finite reciprocal; infinite is a beam without shear.
     pub shear_stiffness: T,
@@ -164,8 +164,8 @@ members_of_built!(SpinningBeam at Frequency);
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for SpinningBeam<T> {
     type Gradient = SpinningBeam<S>;
 
-    fn member_gradient(built: &BuiltSpinningBeam<T>, work: &MemberWork<S>) -> SpinningBeam<S> {
-        let ends = MemberEnds { x: work.x, ends: work.ends }.bending();
+    fn member_gradient(built: &BuiltSpinningBeam<T>, motion: &MemberEnds<S>) -> SpinningBeam<S> {
+        let ends = motion.bending();
         <SpinningBeam<T> as Energies<S>>::gradient(built, &ends)
     }
 }

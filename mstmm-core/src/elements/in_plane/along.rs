@@ -1,12 +1,11 @@
 //! The line along an element of the plane, with damping or without.
 
-use crate::element::{Forms, Inside, MemberWork};
+use crate::element::{Forms, Inside};
 use crate::elements::in_plane::across::{Along, AlongGradient};
 use crate::elements::shared::damped_line::DampedLine;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::elements::shared::rod_motion::Stretch;
 use crate::elements::shared::uniform_line::{LineSection, UniformLine};
-use crate::model::EndMotion;
 use crate::number::{ComplexFrequency, Frequency, FrequencyPowers, Oscillation, Parameter, Real, Scalar, Single};
 use nalgebra::Matrix2;
 
@@ -33,7 +32,7 @@ pub(crate) trait AlongMotion<S: Scalar> {
     fn state_at(&self, motion: &Stretch<S>, distance: f64) -> [S; 2];
 
     /// The derivatives of the dynamic work.
-    fn gradient(&self, work: &MemberWork<S>) -> AlongGradient<S>;
+    fn gradient(&self, motion: &Stretch<S>) -> AlongGradient<S>;
 
     /// The work of a load of 1 per length on a motion.
     fn load_work(&self, motion: &Stretch<S>) -> S;
@@ -85,11 +84,8 @@ impl<T: Real, S: Oscillation<T>> AlongMotion<S> for UniformLine<T> {
         self.section.at(motion, T::from_f64(distance))
     }
 
-    fn gradient(&self, work: &MemberWork<S>) -> AlongGradient<S> {
-        let mut along = *work;
-        along.ends.iter_mut().for_each(EndMotion::keep_longitudinal);
-        along.kinetic[1] = S::zero();
-        let [length, stiffness, mass, _] = self.member_gradient(&along, 0);
+    fn gradient(&self, motion: &Stretch<S>) -> AlongGradient<S> {
+        let [length, stiffness, mass, _] = self.section.gradient(motion);
         AlongGradient { length, stiffness, mass, damping: [S::zero(); 3] }
     }
 
@@ -128,8 +124,8 @@ impl<T: Real, S: ComplexFrequency<T> + Oscillation<T>> AlongMotion<S> for Damped
         self.state_at(motion, T::from_f64(distance))
     }
 
-    fn gradient(&self, work: &MemberWork<S>) -> AlongGradient<S> {
-        let ([length, stiffness, mass, _], damping) = self.gradient(&Stretch::of_work(work));
+    fn gradient(&self, motion: &Stretch<S>) -> AlongGradient<S> {
+        let ([length, stiffness, mass, _], damping) = self.gradient(motion);
         AlongGradient { length, stiffness, mass, damping }
     }
 

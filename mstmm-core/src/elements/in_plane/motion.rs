@@ -1,8 +1,6 @@
 //! Motions of an element of the plane between its ends: across itself and along it, side by side.
 
-use crate::element::{
-    CarriesLoad, Deflection, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork,
-};
+use crate::element::{CarriesLoad, Deflection, Element, Forms, Inside, MemberEnds, MemberGradient, MemberMotion};
 use crate::elements::in_plane::InPlane;
 use crate::elements::in_plane::across::{Across, Stretching};
 use crate::elements::in_plane::along::AlongMotion;
@@ -78,12 +76,9 @@ where
 {
     type Gradient = InPlane<B::Gradient>;
 
-    fn member_gradient(built: &<Self as Element>::Built, work: &MemberWork<S>) -> InPlane<B::Gradient> {
-        let along = built.along.gradient(work);
-        let mut work = *work;
-        // what is across has the mass form of what is across alone
-        (work.ends, work.kinetic) = (work.ends.map(turned::<B, S>), both::<B, S>([S::zero(), work.kinetic[1]]));
-        let across = B::member_gradient(&built.across, &work).and_along(along);
+    fn member_gradient(built: &<Self as Element>::Built, motion: &MemberEnds<S>) -> InPlane<B::Gradient> {
+        let along = built.along.gradient(&Stretch::of(motion));
+        let across = B::member_gradient(&built.across, &across::<B, S>(motion)).and_along(along);
         InPlane { axial_stiffness: along.stiffness, across }
     }
 }

@@ -121,26 +121,42 @@ impl<T: Real> BendingMotion<T> {
     }
 
     /// Mass and stiffness form of two motions: `[∫ m Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
-    ///
-    /// In a long beam the stiffness form is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. The mass form is a difference of the ends, too, if
-    /// the frequencies are apart; that of one motion with itself follows from its flow. In other cases both are integrated.
     pub(crate) fn forms<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
+        let [square, strain] = self.squares(first, second);
+        [square * self.parameters.mass_per_length, strain]
+    }
+
+    /// The derivatives of the dynamic work with respect to length, stiffness and mass. That with respect to the length is constant along the beam.
+    pub(crate) fn gradient<S: Oscillation<T>>(&self, ends: &Ends<S>) -> Beam<S> {
+        let [square, strain] = self.squares(ends, ends).map(half);
+        Beam {
+            length: self.flow(ends),
+            bending_stiffness: strain * (T::one() / self.parameters.bending_stiffness),
+            mass_per_length: ends.x.lambda_squared() * square,
+        }
+    }
+
+    /// `[∫ Y₁ Y₂ dx, ∫ M₁ M₂/EI dx]`.
+    ///
+    /// In a long beam the second is `[M₁ Θ₂ - Q₁ Y₂] - λ₁² ∫ m Y₁ Y₂ dx`. The first is a difference of the ends, too, if the frequencies are apart; that of one motion with
+    /// itself follows from its flow. In other cases both are integrated.
+    fn squares<S: Oscillation<T>>(&self, first: &Ends<S>, second: &Ends<S>) -> [S; 2] {
         let (a, b) = (first.x.lambda_squared(), second.x.lambda_squared());
         let size = S::size(a).max(S::size(b));
         let is_long = size * self.wave_fourth.to_f64() > LONG;
-        let mass = if is_long && S::size(a - b) > APART * size {
+        let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
+        let square = if is_long && S::size(a - b) > APART * size {
             let mixed = |u: &State<S>, v: &State<S>| u.q * v.y - u.m * v.theta + u.theta * v.m - u.y * v.q;
-            (mixed(&first.output, &second.output) - mixed(&first.input, &second.input)) / (b - a)
+            (mixed(&first.output, &second.output) - mixed(&first.input, &second.input)) / ((b - a) * mass_per_length)
         } else if is_long && first == second {
-            self.mass_form_of(first)
+            self.square_of(first)
         } else {
-            let [deflection, moment] = self.integrals(first, second);
-            let Beam { bending_stiffness, mass_per_length, .. } = self.parameters;
-            return [deflection * mass_per_length, moment * (T::one() / bending_stiffness)];
+            let [square, moment] = self.integrals(first, second);
+            return [square, moment * (T::one() / bending_stiffness)];
         };
         let work = |u: &State<S>, v: &State<S>| u.m * v.theta - u.q * v.y;
         let work = work(&first.output, &second.output) - work(&first.input, &second.input);
-        [mass, work - a * mass]
+        [square, work - a * square * mass_per_length]
     }
 
     /// `λ² m Y²/2 - M²/(2 EI) + Θ Q` at the end where its terms are smaller, since they cancel where waves decay.
@@ -155,12 +171,12 @@ impl<T: Real> BendingMotion<T> {
         }))
     }
 
-    /// `∫ m Y² dx = (l/2) flow/λ² - [3 Y Q - Θ M]/(4 λ²)`, for a beam that is not short.
-    fn mass_form_of<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
+    /// `∫ Y² dx = ((l/2) flow - [3 Y Q - Θ M]/4)/(m λ²)`, for a beam that is not short.
+    fn square_of<S: Oscillation<T>>(&self, ends: &Ends<S>) -> S {
         let at_end = |state: &State<S>| (state.y + state.y + state.y) * state.q - state.theta * state.m;
         let ends_part = at_end(&ends.output) - at_end(&ends.input);
         let flow = half(self.flow(ends)) * self.parameters.length;
-        (flow - ends_part * S::from_f64(0.25)) / ends.x.lambda_squared()
+        (flow - ends_part * S::from_f64(0.25)) / (ends.x.lambda_squared() * self.parameters.mass_per_length)
     }
 }
 

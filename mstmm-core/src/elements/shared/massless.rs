@@ -2,7 +2,7 @@
 
 use crate::element::{Forms, MemberEnds};
 use crate::model::EndMotion;
-use crate::number::{Frequency, Oscillation, Parameter, Real, Scalar, Single, Size, binary_exponent};
+use crate::number::{Frequency, Oscillation, Parameter, Real, Scalar, Single, Size, Truth, binary_exponent};
 
 /// A spring and a damper in parallel, or one of them.
 pub(crate) struct Massless<T> {
@@ -28,15 +28,16 @@ impl<T: Parameter> Massless<T> {
     #[inline(always)]
     pub(crate) fn compliance<S: Frequency<T> + Single>(&self, x: S) -> S {
         match (self.stiffness, self.damping) {
-            (Some(stiffness), None) => S::from_parameter(T::one() / stiffness),
+            (Some(stiffness), None) if !stiffness.vanishes().all() => S::from_parameter(T::one() / stiffness),
             _ => off_pole(self.dynamic_stiffness(x)).1,
         }
     }
 
-    /// κ, whose zero is a pole of the transfer matrix; a spring alone has none.
+    /// κ, whose zero is a pole of the transfer matrix; a spring with a stiffness has none.
     #[inline(always)]
     pub(crate) fn denominator<S: Frequency<T> + Single>(&self, x: S) -> Option<S> {
-        self.damping.is_some().then(|| off_pole(self.dynamic_stiffness(x)).0)
+        let has_pole = self.damping.is_some() || self.stiffness.is_some_and(|stiffness| stiffness.vanishes().all());
+        has_pole.then(|| off_pole(self.dynamic_stiffness(x)).0)
     }
 
     /// The sum of the sizes of K and Cλ: for an overdamped motion κ itself cancels.

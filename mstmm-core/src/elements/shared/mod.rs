@@ -22,7 +22,6 @@ pub(crate) mod massless;
 pub(crate) mod relation;
 pub(crate) mod rod_motion;
 pub(crate) mod same_built;
-pub(crate) mod section_gradient;
 pub(crate) mod spin;
 pub(crate) mod uniform_line;
 pub(crate) mod uniform_load;

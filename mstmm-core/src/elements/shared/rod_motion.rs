@@ -1,6 +1,6 @@
 //! Motions of a member that stretches, or of a line: displacement and force between its ends, and the forms of mass and stiffness of two motions.
 
-use crate::element::{Deflection, Inside, MemberEnds, MemberWork};
+use crate::element::{Deflection, Inside, MemberEnds};
 use crate::elements::shared::bending_motion::{APART, LONG};
 use crate::elements::shared::krylov::cosine_and_sinc;
 use crate::elements::shared::line_forms::{half, smaller_sum};
@@ -22,11 +22,6 @@ impl<S: Scalar> Stretch<S> {
     /// The longitudinal motion of a member.
     pub(crate) fn of(motion: &MemberEnds<S>) -> Self {
         Stretch::in_freedom(motion, 0)
-    }
-
-    /// The longitudinal motion of a member that does work.
-    pub(crate) fn of_work(work: &MemberWork<S>) -> Self {
-        Stretch::of(&MemberEnds { x: work.x, ends: work.ends })
     }
 
     /// The motion of a translation path, where Q is the opposite of the force in the line, or of a rotation path.

@@ -1,8 +1,7 @@
 //! Uniform lines with mass: strings, rods and shafts, which vibrate along one coordinate.
 
-use crate::element::{LineNumbers, MemberWork};
+use crate::element::LineNumbers;
 use crate::elements::shared::chart_scalar::ChartScalar;
-use crate::elements::shared::line_forms::half;
 use crate::elements::shared::longitudinal_chart::LongitudinalWaves;
 use crate::model::{FrequencyEstimates, InvalidParameter, Requirement};
 use crate::number::{Frequency, FrequencyPowers, Parameter, Scalar, Single, Size, Truth, binary_exponent};
@@ -89,7 +88,7 @@ impl<S: Scalar> LineSection<S> {
 
 /// Ranges of the parameters.
 const REQUIREMENTS: [Requirement; 4] =
-    [Requirement::Positive, Requirement::Positive, Requirement::Positive, Requirement::NonNegative];
+    [Requirement::Positive, Requirement::Positive, Requirement::NonNegative, Requirement::NonNegative];
 
 /// The axial force of a line between places: a string adds it to its tension.
 macro_rules! axial_force_of_line {
@@ -118,7 +117,10 @@ impl<T: Parameter> UniformLine<T> {
         let is_one = |product: T| product.size().is_below(T::Size::of(2.0));
         let inverse = T::one() / self.inertia;
         let is_finite = self.foundation.size().is_below(T::Size::of(f64::INFINITY));
-        (is_one(self.stiffness * self.compliance) & is_one(self.inertia * inverse) & is_finite).all()
+        (is_one(self.stiffness * self.compliance)
+            & (self.inertia.vanishes() | is_one(self.inertia * inverse))
+            & is_finite)
+            .all()
     }
 
     /// Adds `[stiffness, inertia]` of the line as one lump, and those of its foundation, to the estimates.
@@ -180,25 +182,6 @@ impl<T: Parameter> UniformLine<T> {
     /// The chart at a frequency, of the displacement in one freedom.
     pub(crate) fn chart<S: Frequency<T> + ChartScalar>(&self, at: &FrequencyPowers<S>, freedom: Freedoms) -> Chart<S> {
         line_chart(&self.longitudinal(at.lambda_squared), freedom)
-    }
-
-    /// The derivatives of the dynamic work with respect to length, stiffness, inertia and foundation, given a motion as a member in a
-    /// freedom, with the displacements at both ends held.
-    pub(crate) fn member_gradient<S: Frequency<T>>(&self, work: &MemberWork<S>, freedom: usize) -> [S; 4] {
-        let [_, stiffness, inertia, foundation] =
-            [self.section.length, self.section.stiffness, self.section.inertia, self.section.foundation]
-                .map(S::from_parameter);
-        let square = work.x.lambda_squared();
-        let density = square * inertia + foundation;
-        let half_of_square = (work.kinetic[0] + work.kinetic[1]) / inertia;
-        let (output, half_of_strain) = (&work.ends[1], half(work.of_ends(freedom)) - density * half_of_square);
-        let [force, displacement] = [output.forces[freedom], output.displacements[freedom]];
-        [
-            half(density * displacement * displacement - force * force / stiffness),
-            half_of_strain / stiffness,
-            square * half_of_square,
-            half_of_square,
-        ]
     }
 }
 

@@ -1,6 +1,6 @@
 //! A tapered beam between two points of a line: how it moves, and how its parameters change its work.
 
-use crate::element::{Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion, MemberWork};
+use crate::element::{Energies, Forms, Inside, MemberEnds, MemberGradient, MemberMotion};
 use crate::elements::tapered_beam::{BuiltTaperedBeam, TaperedBeam};
 use crate::model::EndMotion;
 use crate::number::{Oscillation, Real};
@@ -31,7 +31,7 @@ impl<T: Real, S: Oscillation<T>> MemberMotion<S> for TaperedBeam<T> {
 impl<T: Real, S: Oscillation<T>> MemberGradient<S> for TaperedBeam<T> {
     type Gradient = TaperedBeam<S>;
 
-    fn member_gradient(built: &BuiltTaperedBeam<T>, work: &MemberWork<S>) -> TaperedBeam<S> {
-        built.gradient(&MemberEnds { x: work.x, ends: work.ends }.bending())
+    fn member_gradient(built: &BuiltTaperedBeam<T>, motion: &MemberEnds<S>) -> TaperedBeam<S> {
+        built.gradient(&motion.bending())
     }
 }

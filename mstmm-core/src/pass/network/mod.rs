@@ -65,7 +65,7 @@ pub use placement::Placement;
 #[cfg(feature = "std")]
 pub(crate) use placement::SpatialEnd;
 pub use prestress::Prestressed;
-pub(crate) use products::{mass_product, mass_product_of_two, member_works};
+pub(crate) use products::{mass_product, mass_product_of_two};
 pub use skeleton::{Skeleton, build_member};
 pub use sketch::{
     Axis, NetworkSketch, Seat, SketchedBody, SketchedDirection, SketchedEnd, SketchedMember, SketchedNode,

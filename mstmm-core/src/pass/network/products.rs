@@ -1,12 +1,11 @@
 //! The mass form of two motions of a plane structure.
 
-use crate::element::MemberWork;
 use crate::model::EndMotion;
 use crate::number::{Real, power_of_two};
 use crate::pass::characteristic::System;
 use crate::pass::network::frequency::{MovingNetwork, PlaneFrequency};
 use crate::pass::network::motion::NetworkMotion;
-use crate::pass::network::placed::{PerMember, PlacedCharts};
+use crate::pass::network::placed::PlacedCharts;
 use crate::pass::network::vector::Six;
 use crate::structure::{Chart, MOST_VARIABLES};
 use mstmm_plan::Freedoms;
@@ -67,28 +66,6 @@ where
     let of_node =
         |(node, (first, second)): (usize, (&Six<S>, &Six<S>))| network.node(node).0.mass_form(*first, *second);
     nodes.enumerate().take(network.sizes()[0]).map(of_node).fold(S::zero(), |sum, form| sum + form)
-}
-
-/// The motions of all members with the halves of their mass forms.
-pub(crate) fn member_works<Y, S>(network: &Y, x: S, motion: &NetworkMotion<Y, S>) -> PerMember<Y, MemberWork<S>>
-where
-    Y: MovingNetwork<S>,
-    S: PlaneFrequency<<Y as System>::Parameter>,
-{
-    let at = x.powers_in_square();
-    let mut works = network.per_member(MemberWork::at_rest(x));
-    let ends = motion.members.as_ref().iter().zip(works.as_mut());
-    for (member, (ends, work)) in ends.enumerate().take(network.sizes()[1]) {
-        work.ends = *ends;
-        let length = network.placement(member).length::<S>().constant();
-        let Some(chart) = PlacedCharts::<S::WithSlope>::chart(network, member, &at, length) else { continue };
-        let mut longitudinal = *ends;
-        longitudinal.iter_mut().for_each(EndMotion::keep_longitudinal);
-        let all = of_member::<Y::Parameter, S>(&chart, ends, ends);
-        let along = of_member::<Y::Parameter, S>(&chart, &longitudinal, &longitudinal);
-        work.kinetic = [along, all - along].map(|form| form * S::from_f64(0.5));
-    }
-    works
 }
 
 /// The form of a member, given its chart with slopes.

@@ -4,7 +4,7 @@ use crate::element::{
     MemberChart, MemberElement, MemberMatrix, MemberNumbers, MemberTransfer, MemberVisit, VisitMember,
 };
 #[cfg(feature = "std")]
-use crate::element::{MemberSlopes, MemberWork};
+use crate::element::{MemberEnds, MemberSlopes};
 use crate::model::{FrequencyEstimates, MemberPlane, Spot, is_size_of_direction};
 use crate::number::{Frequency, FrequencyPowers, InLanes, Parameter, Real, Scalar, Scaled, Single};
 use crate::pass::characteristic::{Characteristic, System};
@@ -212,11 +212,11 @@ impl<E: MemberElement, M: Memory> Network<E, M> {
 
     /// `∂L/∂p` for a parameter of a member by its name.
     #[cfg(feature = "std")]
-    pub(crate) fn slope<S: Scalar>(&self, member: usize, work: &MemberWork<S>, name: &str) -> Option<S>
+    pub(crate) fn slope<S: Scalar>(&self, member: usize, motion: &MemberEnds<S>, name: &str) -> Option<S>
     where
         E: MemberSlopes<S>,
     {
-        E::slope(self.member(member)?, work, name)
+        E::slope(self.member(member)?, motion, name)
     }
 
     /// A built member.

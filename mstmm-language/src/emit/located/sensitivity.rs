@@ -27,7 +27,6 @@ pub(super) fn sensitivity(
         fn plane_chain(
             &self,
             states: &#private::PlaneStates<'_, Self, #frequency>,
-            works: &[#private::MemberWork<#frequency>],
         ) -> Self::PerField<#frequency> {
             let zeros = <Self as #private::Fields>::per_field(#private::Scalar::from_f64(0.0));
             let mut chain = #private::ChainRule::new(zeros);
@@ -135,7 +134,7 @@ fn summand(index: usize, member: &Member<'_>, derivatives: &Derivatives, names: 
     });
     quote_spanned! {names.here=>
         let values = (#(#values,)*);
-        let gradient = <#kind as #gradient>::member_gradient(&self.#field, &works[#index]);
+        let gradient = <#kind as #gradient>::member_gradient(&self.#field, &states.member_ends(#index));
         #(chain.add(gradient.#parameters, values.#order);)*
         #length
     }
