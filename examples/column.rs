@@ -29,13 +29,13 @@ system! {
 
 /// A steel column of five metres without its brace.
 pub fn steel() -> Column {
-    Column { height: 5.0, ei: 4.2e6, m: 50.0, brace: 1e-3, load: 0.0 }
+    Column { height: 5.0, ei: 4.2e6, m: 50.0, brace: 0.0, load: 0.0 }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let column = steel();
     println!("brace [MN/m]  critical loads [MN]");
-    for brace in [1e-3, 1e6, 4e6, 1e7] {
+    for brace in [0.0, 1e6, 4e6, 1e7] {
         let loads = critical_loads::<3, _>(0.0..=2e7, |load| Column { brace, load, ..column }.build())?;
         let loads: Vec<String> = loads.iter().map(|load| format!("{:.6}", 1e-6 * load.factor)).collect();
         println!("{:12.3}  {}", 1e-6 * brace, loads.join("  "));

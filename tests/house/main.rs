@@ -137,6 +137,29 @@ fn links_of_documents_lead_somewhere() {
     assert!(dead.is_empty(), "{dead:#?}");
 }
 
+/// Each file that ARCHITECTURE.md names is there: below the root, or below the core.
+#[test]
+fn files_of_the_architecture_are_there() {
+    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let named = text.lines().flat_map(|line| line.split('`').skip(1).step_by(2));
+    let named = named.filter(|path| (path.contains(".rs") || path.ends_with('/')) && !path.contains('<'));
+    let files: Vec<String> = named.flat_map(with_braces).collect();
+    assert!(files.len() > 100, "{files:?}");
+    let is_there = |file: &&String| ["", "mstmm-core/src"].iter().any(|room| root().join(room).join(file).exists());
+    let missing: Vec<&String> = files.iter().filter(|file| !is_there(file)).collect();
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+/// The paths that a path with `{a, b}` in it stands for.
+fn with_braces(path: &str) -> Vec<String> {
+    let Some((before, (names, after))) =
+        path.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)))
+    else {
+        return vec![path.to_owned()];
+    };
+    names.split(',').flat_map(|name| with_braces(&format!("{before}{}{after}", name.trim()))).collect()
+}
+
 /// Each page of docs is a chapter, and the models of the guide are compiled.
 #[test]
 fn the_book_has_all_pages() {

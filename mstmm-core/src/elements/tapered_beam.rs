@@ -156,6 +156,39 @@ impl<T: Parameter> Element for TaperedBeam<T> {
 }
 
 impl<T: Parameter> TaperedBeam<T> {
+    /// The beam between two stations of a table, each with its bending stiffness EI [N m²] and its mass per length m [kg/m].
+    ///
+    /// With `EI ~ b h³` and `m ~ b h` both numbers are met at both stations: at the second one `h = √((EI₂/EI₁)/(m₂/m₁))` and `b = (m₂/m₁)/h`. Between them width and height vary evenly. That is the
+    /// law of a cone with a thin wall, whose diameter is h and whose thickness is b. Axial force, rotation, rotary inertia and foundation are zero.
+    ///
+    /// ```
+    /// use mstmm_core::elements::TaperedBeam;
+    ///
+    /// // a wall of 20 mm that becomes 10 mm, on a diameter of 4 m that becomes 3 m: r t³ and r t
+    /// let beam = TaperedBeam::between(30.0, [4.0_f64.powi(3) * 0.02, 3.0_f64.powi(3) * 0.01], [4.0 * 0.02, 3.0 * 0.01]);
+    /// assert!((beam.height_taper - 0.25).abs() < 1e-15 && (beam.width_taper - 0.5).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn between(length: T, bending_stiffness: [T; 2], mass_per_length: [T; 2]) -> Self {
+        let of_mass = mass_per_length[1] / mass_per_length[0];
+        let height = (bending_stiffness[1] / bending_stiffness[0] / of_mass).sqrt();
+        let [zero, one] = [T::zero(), T::one()];
+        TaperedBeam {
+            length,
+            bending_stiffness: bending_stiffness[0],
+            mass_per_length: mass_per_length[0],
+            width_taper: one - of_mass / height,
+            height_taper: one - height,
+            rotary_inertia: zero,
+            axial_force: zero,
+            axial_load: zero,
+            rotation_speed: zero,
+            hub_radius: zero,
+            setting_angle: zero,
+            foundation_stiffness: zero,
+        }
+    }
+
     /// The parameters as numbers of another type.
     fn map<S>(self, to: impl Fn(T) -> S) -> TaperedBeam<S> {
         TaperedBeam {

@@ -95,3 +95,7 @@ struct Stability;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/guide/tolerances.md")]
 struct Tolerances;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/tower.md")]
+struct Tower;
