@@ -5,8 +5,9 @@ use crate::diagnostics::Errors;
 use crate::groups::{in_braces, made_visible};
 use crate::keywords::Dimension;
 use crate::network::{self, Network, Paths, Points};
-use crate::{check, depth, emit, parse, parts, plan::Plan, sections, skeleton::Skeleton, topology::Graph};
-use proc_macro2::TokenStream;
+use crate::{check, depth, emit, parse, parts, plan::Plan, sections, skeleton::Skeleton, topology::Graph, undamped};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
 
 /// Expands `(path to mstmm) model` into its code, or into its errors.
 pub fn expand(input: TokenStream) -> TokenStream {
@@ -19,8 +20,24 @@ pub fn expand(input: TokenStream) -> TokenStream {
 /// Expands a model into its code, or returns all errors of syntax, words and graph at once.
 pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
     let mut errors = Errors::default();
+    let mut model = read(input.clone(), &mut errors)?;
+    let Some(name) = undamped::take_name(&mut model, &mut errors) else { return code(model, errors, None) };
+    let method = undamped::method(&model, &name);
+    let damped = code(model, errors, None)?;
+    // the same tokens again, of which all that can be wrong is known
+    let mut errors = Errors::default();
     let mut model = read(input, &mut errors)?;
+    undamped::take_name(&mut model, &mut errors);
+    let undamped = code(model, errors, Some(&name))?;
+    Ok(quote!(#damped #method #undamped))
+}
+
+/// The code of a model; given a name, of the model without what damps.
+fn code(mut model: Model, mut errors: Errors, undamped: Option<&Ident>) -> syn::Result<TokenStream> {
     let unused = sections::spread(&mut model, &mut errors);
+    if let Some(name) = undamped {
+        undamped::rewrite(&mut model, name, &mut errors);
+    }
     if !model.is_located() {
         let dimension = check::dimension_of_paths(&model);
         model.elements_mut().for_each(|element| element.dimension = dimension);

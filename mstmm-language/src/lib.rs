@@ -22,6 +22,7 @@ mod spans;
 #[cfg(test)]
 mod tests;
 mod topology;
+mod undamped;
 
 pub use expand::expand;
 pub use mstmm_plan::Space;

@@ -28,4 +28,5 @@ mod spectra;
 mod state_spaces;
 mod supports;
 mod truncation;
+mod undamped;
 mod work;

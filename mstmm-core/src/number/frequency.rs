@@ -170,7 +170,8 @@ pub enum ComplexEigenvalue {}
     message = "a damped system has complex eigenvalues: it cannot be evaluated at a real frequency",
     label = "needs a complex λ, since something in the model is damped",
     note = "search its `eigenvalues` instead of `natural_frequencies`, count them with `count_in` instead of `count_below`",
-    note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`"
+    note = "pass `Complex::new(re, im)` for λ [1/s]; an undamped motion at ω is λ = iω, `Complex::new(0.0, omega)`",
+    note = "name the model without damping above its struct, `#[undamped(QuietModel)]`: `model.undamped().build()` has natural frequencies"
 )]
 pub trait MayDecay {}
 

@@ -13,6 +13,7 @@ mod new_words;
 mod rotors;
 mod sections;
 mod types;
+mod undamped;
 mod words;
 
 use crate::expand::expand_checked;
