@@ -43,6 +43,6 @@ fn a_list_names_what_is_wrong_and_where() {
         let error = StepList::new(&steps).unwrap_err();
         assert!(error.step == step && error.problem.contains(words), "{error}");
     }
-    let element = AnyUndamped::try_from(Spring { stiffness: 0.0 }).unwrap_err();
-    assert!(element.to_string().starts_with("Spring: stiffness is 0, but must be"), "{element}");
+    let element = AnyUndamped::try_from(Spring { stiffness: -1.0 }).unwrap_err();
+    assert!(element.to_string().starts_with("Spring: stiffness is -1, but must be"), "{element}");
 }

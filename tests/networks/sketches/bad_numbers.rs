@@ -37,7 +37,7 @@ fn errors_name_the_element_or_the_point_and_the_number() {
     assert_refused(Frame { ea: 0.0, ..RIGHT }, "beam 1: axial_stiffness is 0, but must be positive and finite");
     assert_refused(
         Frame { k: -1.0, ..RIGHT },
-        "spring 5: stiffness is -1, but must be positive and finite, with a finite reciprocal",
+        "spring 5: stiffness is -1, but must be zero, or positive and finite, with a finite reciprocal",
     );
 }
 

@@ -236,7 +236,7 @@ fn numbers_out_of_their_ranges_are_named() {
             "member 2: shear_stiffness is 0, but must be positive".to_owned(),
             format!("member 3: {direction}"),
             format!("member 5: {direction}"),
-            "member 0: mass_per_length is -1, but must be positive and finite".to_owned(),
+            "member 0: mass_per_length is -1, but must be zero or positive, and finite".to_owned(),
             "member 1: both ends are at one place: beams and strings have a length, a spring there a direction"
                 .to_owned(),
             "member 6: the ends of a joint are at one place, and its are at two".to_owned(),
