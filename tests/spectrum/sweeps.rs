@@ -196,7 +196,10 @@ fn a_model_out_of_its_range_leaves_the_others_as_they_are() {
         for (k, roots) in (0..).zip(models.into_iter().first_frequencies::<1>()) {
             if k == bad {
                 let error = roots.unwrap_err();
-                assert_eq!(error.to_string(), "beam 1: mass_per_length is -1, but must be zero or positive, and finite");
+                assert_eq!(
+                    error.to_string(),
+                    "beam 1: mass_per_length is -1, but must be zero or positive, and finite"
+                );
                 continue;
             }
             let exact = PI * PI / (1.0 + f64::from(k)).sqrt();

@@ -46,5 +46,8 @@ fn what_is_wrong_is_named() {
     assert_eq!(misspelt, "rafter: a section has no parameter `shear_stifness`: did you mean `shear_stiffness`?");
     let negative = SHED.replace("\"stiffness\": 2.0e7", "\"stiffness\": -1.0");
     let refused = read(&negative).unwrap().0.build().unwrap_err().to_string();
-    assert_eq!(refused, "member \"tie\": stiffness is -1, but must be zero, or positive and finite, with a finite reciprocal");
+    assert_eq!(
+        refused,
+        "member \"tie\": stiffness is -1, but must be zero, or positive and finite, with a finite reciprocal"
+    );
 }
