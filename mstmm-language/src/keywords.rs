@@ -21,7 +21,7 @@ use mstmm_plan::Support;
 #[cfg(test)]
 pub(crate) use old_words::OLD_WORDS;
 pub(crate) use old_words::{OldWord, old_word, renamed_in};
-pub(crate) use other_names::{Meant, meant_element, meant_parameter, meant_support};
+pub(crate) use other_names::{Meant, absent_element, meant_element, meant_parameter, meant_support};
 
 /// The supports and their keywords.
 pub(crate) const SUPPORTS: &[(&str, Support)] = &[

@@ -95,7 +95,7 @@ impl<'a> Graph<'a> {
         let first = &self.vertices[known];
         // an element named again without its parameters has a message of its own
         if !(first.is_mention() || vertex.is_mention()) {
-            refuse_label(label, &first.name(), first.place(), errors);
+            refuse_label(label, &first.name(), errors);
         }
         self.vertices.push(vertex);
         self.ambiguous.extend([known, new]);
@@ -134,10 +134,9 @@ impl<'a> Graph<'a> {
 }
 
 /// Reports a label that another element has.
-pub(crate) fn refuse_label(label: &Label, taken_by: &str, first: Place, errors: &mut Errors) {
+pub(crate) fn refuse_label(label: &Label, taken_by: &str, errors: &mut Errors) {
     let message = format!(
         "label `{label}` is taken by `{taken_by}`: elements share one set of labels, and an element is written once"
     );
     errors.push(label.span(), message);
-    errors.push(first, format!("label `{label}` is first used here"));
 }

@@ -5,8 +5,8 @@ use super::{fields, listed, parameters, selves, spin};
 use crate::ast::{Element, Kind, Label, Model, Node, Support};
 use crate::diagnostics::Errors;
 use crate::keywords::{
-    ALONG, CONNECTION, HELD, Keyword, SUPPORTS, apart, element_of, elements_of_paths, is_element, located_of,
-    meant_element, meant_support, nearest, old_word, support_of,
+    ALONG, CONNECTION, HELD, Keyword, SUPPORTS, absent_element, apart, element_of, elements_of_paths, is_element,
+    located_of, meant_element, meant_support, nearest, old_word, support_of,
 };
 use crate::topology::Vertex;
 use syn::Ident;
@@ -143,6 +143,9 @@ pub(super) fn unknown_keyword(text: &str, elements: &[&str]) -> String {
     }
     if text.starts_with(char::is_uppercase) {
         return format!("`{text}` is not an element: a type of your own is written with its path, `self::{text}`");
+    }
+    if let Some(advice) = absent_element(text) {
+        return format!("`{text}` is not an element: {advice}");
     }
     let meant = meant_element(text, elements);
     let elements = || elements.iter().copied();

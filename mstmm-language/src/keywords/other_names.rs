@@ -60,6 +60,33 @@ pub(crate) fn meant_element(word: &str, keywords: &[&str]) -> Option<&'static st
     meant.iter().copied().find(|name| *name == CONNECTION || keywords.contains(name))
 }
 
+/// What there is not, and what stands for it.
+const ABSENT: &[(&[&str], &str)] = &[
+    (
+        &["plate", "shell", "membrane", "slab", "solid", "brick"],
+        "there are lines and rigid bodies, and no plates, shells and solids",
+    ),
+    (&["gear", "gearbox", "belt", "pulley"], "there are no gears: two shafts turn at one rate, or are two models"),
+    (
+        &["arch", "arc", "curved_beam", "curvedbeam"],
+        "there are no curved members: take straight pieces, `beam`s between places on the curve",
+    ),
+    (
+        &["pipe", "tube", "cone", "rectangle", "i_beam", "ibeam"],
+        "a cross section is a number of a `beam`: `let (area, i, ..) = sections::tube(outer, inner);`",
+    ),
+    (
+        &["motor", "actuator", "sensor", "force", "load"],
+        "loads are no part of a model: ask a built system, `frequency_response(load, entry)`",
+    ),
+];
+
+/// What stands for an element that there is not.
+pub(crate) fn absent_element(word: &str) -> Option<&'static str> {
+    let word = word.to_lowercase();
+    ABSENT.iter().find(|(words, _)| words.contains(&word.as_str())).map(|(_, advice)| *advice)
+}
+
 /// What a parameter is called elsewhere.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Meant {

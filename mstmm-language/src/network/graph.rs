@@ -165,7 +165,7 @@ impl<'a> Graph<'a> {
         }
         // an element named again without its parameters has a message of its own
         if !(first.is_mention() || vertex.is_mention()) {
-            refuse_label(label, &first.name(), first.place(), errors);
+            refuse_label(label, &first.name(), errors);
         }
         first.role = Role::Unknown;
         vertex.role = Role::Unknown;

@@ -22,6 +22,10 @@ impl Parse for Node {
             }
             return parse_element(kind, input);
         }
+        if input.peek(Token![for]) || input.peek(Token![while]) || input.peek(Token![loop]) {
+            let message = "a sketch has no loops: write each cell, or describe the structure at run time by a `Frame` or a list of steps";
+            return Err(error_at(input, message));
+        }
         let Ok(keyword) = input.parse::<Ident>() else {
             let expected = "expected a support, a connection `conn ..` or an element";
             let hint =

@@ -10,12 +10,10 @@ fn elements_share_one_set_of_labels() {
         fixed -> spring 1 { stiffness: 1.0 } -> mass 1 { mass: 1.0 } -> free;
                                                      ^ label `1` is taken by `spring 1`: elements share one
                                                      | set of labels, and an element is written once
-                 ^^^^^^^^ label `1` is first used here
         fixed -> spring arm { stiffness: 1.0 } -> conn arm -> mass arm { mass: 1.0 } -> free;
                                                                    ^^^ label `arm` is taken by `spring arm`:
                                                                    | elements share one set of labels, and an
                                                                    | element is written once
-                 ^^^^^^^^^^ label `arm` is first used here
         ",
     );
 }

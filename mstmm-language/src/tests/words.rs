@@ -130,7 +130,6 @@ fn words_labels_parameters_and_graph_are_shown_together() {
                  ^^^^^ `sprng` is not an element: did you mean `spring`?
                                                                 ^^^ `mass` has no parameter `mas`: did you
                                                                 | mean `mass`?
-                                                       ^^^^^^ label `3` is first used here
                                              ^^^^^^ `conn 2` has no output: lead it on to the root
         fixed -> beam 3 { length: k } -> conn 4;
                  ^^^^^^ `beam 3` lacks `bending_stiffness` and `mass_per_length`
@@ -310,4 +309,32 @@ fn an_unknown_word_is_shown_all_elements() {
         assert!(message.contains(&format!("`{keyword}`")), "{keyword} is not in: {message}");
     }
     assert!(message.contains("or a type of your own by a path with `::`"), "{message}");
+}
+
+#[test]
+fn what_there_is_not_is_said_with_what_stands_for_it() {
+    assert_refused(
+        "
+        struct M { k: f64 }
+        fixed -> plate 1 { length: k } -> free;
+                 ^^^^^ `plate` is not an element: there are lines and rigid bodies, and no plates, shells and
+                 | solids
+        fixed -> gear 2 { ratio: k } -> free
+                 ^^^^ `gear` is not an element: there are no gears: two shafts turn at one rate, or are two
+                 | models
+        ",
+    );
+}
+
+#[test]
+fn a_sketch_has_no_loops() {
+    assert_refused(
+        "
+        struct M { k: f64 }
+        fixed -> spring 1 { stiffness: k } -> mass 2 { mass: 1.0 } -> free;
+        for cell in 0..4 { spring 3 { stiffness: k } }
+        ^^^ a sketch has no loops: write each cell, or describe the structure at run time by a `Frame` or a
+        | list of steps
+        ",
+    );
 }

@@ -4,7 +4,6 @@ system! {
     struct Model { k: f64, m: f64 }
 
     fixed -> spring 1 { stiffness: k } -> mass 1 { mass: m } -> free;
-//           ^^^^^^^^ label `1` is first used here
 //                                             ^ elements share one set of labels, and an element is written once
 }
 

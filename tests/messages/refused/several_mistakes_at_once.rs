@@ -8,7 +8,6 @@ system! {
 //  ^^^^ did you mean `fixed`?
 //          ^^^^^ did you mean `spring`?
     conn 2 <- mass 2 { mas: m } <- free;
-//            ^^^^^^ label `2` is first used here
 //                     ^^^ did you mean `mass`?
     free -> mass 2 { mass: m } -> conn 2;
 //               ^ elements share one set of labels, and an element is written once
