@@ -1,6 +1,7 @@
 //! What the programs share: the controllers, the way out for results, the end of a panic.
 #![no_std]
 
+pub mod controller;
 pub mod damped;
 pub mod undamped;
 
