@@ -26,6 +26,7 @@ mod path_places;
 mod picture;
 mod pose;
 mod projection;
+mod room;
 mod scene;
 mod shape;
 mod sketched;
@@ -39,6 +40,7 @@ mod triad;
 mod vector;
 mod vector3;
 mod view;
+mod wanted;
 mod write;
 mod write_in_space;
 

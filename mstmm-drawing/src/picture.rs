@@ -101,6 +101,9 @@ pub(crate) fn pair(vector: Vector) -> String {
 pub(crate) fn group_of_labels(labels: &[Placed]) -> Element {
     let mut all = element("g", "labels");
     for label in labels {
+        if let Some(ends) = label.leader {
+            all.append(path("leader", &Outline::line(ends.into())));
+        }
         let mut text = element("text", label.wanted.class);
         text.assign("x", number(label.middle[0]));
         text.assign("y", number(label.middle[1]));

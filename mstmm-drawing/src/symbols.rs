@@ -1,6 +1,6 @@
 //! The symbols of elements.
 
-mod bodies;
+pub(crate) mod bodies;
 pub(crate) mod convex;
 mod joints;
 pub(crate) mod rotors;

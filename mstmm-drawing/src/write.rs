@@ -2,10 +2,9 @@
 
 use crate::diagram::Diagram;
 use crate::drawing::Drawing;
-use crate::figure::label_of;
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
-use crate::labels::{Wanted, placed};
+use crate::labels::placed;
 use crate::motion::Motion;
 use crate::orbits::orbits;
 use crate::outline::{Outline, number};
@@ -14,7 +13,7 @@ use crate::pose::Pose;
 use crate::shape::Number;
 use crate::supports::Standing;
 use crate::triad::triad;
-use crate::vector::between;
+use crate::wanted::wanted;
 use mstmm_core::Whirl;
 use std::fmt;
 use svg::Node;
@@ -117,22 +116,22 @@ impl Picture {
         let mut all = element("g", if drawing.motion.is_some() { "model rest" } else { "model" });
         let (below, above): (Vec<usize>, Vec<usize>) =
             order(drawing).into_iter().partition(|index| rank(drawing.figure.parts[*index].kind) < 2);
-        let mut draw = |index: usize| {
+        let draw = |picture: &mut Picture, index: usize| {
             let part = &drawing.figure.parts[index];
             let mut group = group(&part.name, part.word);
-            self.draw(&mut group, rest.inks(&drawing.figure, index));
+            picture.draw(&mut group, rest.inks(&drawing.figure, index));
             group
         };
-        below.into_iter().for_each(|index| all.append(draw(index)));
+        below.into_iter().for_each(|index| all.append(draw(self, index)));
         for anchor in &drawing.figure.anchors {
             if let Some(name) = &anchor.name {
                 let mut group = group(name, "point");
                 group.assign("data-at", pair(anchor.at));
-                group.append(path(Pen::Dot.class(), &Outline::Disc(anchor.at, POINT)));
+                self.draw(&mut group, vec![Ink::new(Pen::Dot, Outline::Disc(anchor.at, POINT))]);
                 all.append(group);
             }
         }
-        above.into_iter().for_each(|index| all.append(draw(index)));
+        above.into_iter().for_each(|index| all.append(draw(self, index)));
         self.groups.push(all);
     }
 
@@ -186,31 +185,4 @@ pub(crate) fn rank(kind: Kind) -> u8 {
         kind if kind.is_at_a_point() && kind != Kind::Tie => 2,
         _ => 0,
     }
-}
-
-/// The labels of points, parts and largest values, each once.
-fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wanted> {
-    let figure = &drawing.figure;
-    let mut wanted: Vec<Wanted> = Vec::new();
-    let mut add = |name: &str, class, at| {
-        if let Some(text) = label_of(name).filter(|_| !name.starts_with("link of") && !name.starts_with("ground of")) {
-            let label = Wanted { text: text.to_owned(), class, title: name.to_owned(), at };
-            let is_new = wanted.iter().all(|known| known.title != label.title);
-            wanted.extend(Some(label).filter(|_| is_new));
-        }
-    };
-    for anchor in figure.anchors.iter().filter(|_| drawing.is_labelled) {
-        add(anchor.name.as_deref().unwrap_or_default(), "point", anchor.at);
-    }
-    for part in figure.parts.iter().filter(|part| drawing.is_labelled && part.kind != Kind::Tie) {
-        let [from, to] = [part.ends[0], part.ends[part.ends.len() - 1]].map(|end| figure.anchors[end].at);
-        let is_joint = part.kind.is_joint() && from == to;
-        add(
-            &part.name,
-            if is_joint { "joint" } else { "element" },
-            if part.kind.is_body() { to } else { between(from, to, 0.5) },
-        );
-    }
-    wanted.extend(diagrams.iter().filter_map(|diagram| diagram.label.clone()));
-    wanted
 }

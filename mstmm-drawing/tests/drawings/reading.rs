@@ -79,6 +79,14 @@ impl Picture {
         })
     }
 
+    /// The lines that lead to labels, each from what the label names.
+    pub(crate) fn leaders(&self) -> Vec<[[f64; 2]; 2]> {
+        self.read(|root| {
+            let paths = root.descendants().filter(|node| node.attribute("class") == Some("leader"));
+            paths.map(|path| points(path.attribute("d").unwrap()).try_into().unwrap()).collect()
+        })
+    }
+
     /// The data of each moment of all animations, with the path that each one moves.
     pub(crate) fn animations(&self) -> Vec<(Corners, Vec<Corners>)> {
         self.read(|root| {
