@@ -1,6 +1,9 @@
 //! What is drawn with one pen.
 
-use crate::outline::Outline;
+use crate::outline::{Outline, number};
+use crate::picture::path;
+use svg::Node;
+use svg::node::element::Element;
 
 /// A pen: the class of a path in the style sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,10 +57,21 @@ impl Pen {
 pub(crate) struct Ink {
     pub(crate) pen: Pen,
     pub(crate) outline: Outline,
+    /// The width of a line that has not that of its pen.
+    pub(crate) width: Option<f64>,
 }
 
 impl Ink {
     pub(crate) fn new(pen: Pen, outline: Outline) -> Self {
-        Ink { pen, outline }
+        Ink { pen, outline, width: None }
+    }
+
+    /// Its path.
+    pub(crate) fn path(&self) -> Element {
+        let mut path = path(self.pen.class(), &self.outline);
+        if let Some(width) = self.width {
+            path.assign("style", format!("stroke-width:{}", number(width)));
+        }
+        path
     }
 }

@@ -27,7 +27,7 @@ impl Picture {
     /// Draws in a group.
     pub(crate) fn draw(&mut self, group: &mut Element, inks: Vec<Ink>) {
         for ink in inks {
-            group.append(path(ink.pen.class(), &ink.outline));
+            group.append(ink.path());
             self.inks.extend(Some(ink).filter(|ink| !ink.pen.is_halo()));
         }
     }
@@ -36,7 +36,7 @@ impl Picture {
     pub(crate) fn moving(&mut self, [name, word]: [&str; 2], moments: Vec<Vec<Ink>>) -> [Element; 2] {
         let [mut quiet, mut lively] = [group(name, word), group(name, word)];
         for (number, ink) in moments[0].iter().enumerate() {
-            let mut path = path(ink.pen.class(), &ink.outline);
+            let mut path = ink.path();
             quiet.append(path.clone());
             path.append(animation(moments.iter().map(|inks| inks[number].outline.data()).collect()));
             lively.append(path);

@@ -174,9 +174,10 @@ fn cells(area: &Area) -> impl Iterator<Item = [i64; 2]> + use<> {
 
 /// The lines of an outline.
 pub(crate) fn strokes(ink: &Ink) -> Vec<Stroke> {
-    let thickness = match ink.pen {
-        Pen::RigidEdge | Pen::Rigid => 11.0,
-        Pen::Beam => 2.5,
+    let thickness = match (ink.pen, ink.width) {
+        (Pen::RigidEdge | Pen::Rigid, _) => 11.0,
+        (_, Some(width)) => 0.5 * width + 0.7,
+        (Pen::Beam, None) => 2.5,
         _ => 1.5,
     };
     let closed = |mut points: Vec<Vector>| {

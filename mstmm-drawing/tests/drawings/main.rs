@@ -18,6 +18,7 @@ mod space_sketch;
 mod space_views;
 mod supports;
 mod trees;
+mod widths;
 
 #[path = "../../../examples/double_beam.rs"]
 mod double_beam;

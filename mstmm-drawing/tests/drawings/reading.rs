@@ -16,8 +16,9 @@ pub(crate) struct Shown {
     pub(crate) kind: String,
     /// The corners of each of its paths; of a disc its middle.
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
-    /// The class of each of its paths.
+    /// The class of each of its paths, and its width where it has one of its own.
     pub(crate) classes: Vec<String>,
+    pub(crate) widths: Vec<Option<f64>>,
     /// Where a point or a support stands.
     pub(crate) at: Option<[f64; 2]>,
     /// The way from a support to the ground.
@@ -141,9 +142,15 @@ fn shown(group: Node<'_, '_>) -> Shown {
             .filter(|child| child.has_tag_name("path"))
             .map(|path| path.attribute("class").unwrap().to_owned())
             .collect(),
+        widths: group.children().filter(|child| child.has_tag_name("path")).map(width).collect(),
         at: group.attribute("data-at").map(pair),
         ground: group.attribute("data-ground").map(pair),
     }
+}
+
+/// The width that a path has by its own style.
+fn width(path: Node<'_, '_>) -> Option<f64> {
+    path.attribute("style").map(|style| style.strip_prefix("stroke-width:").unwrap().parse().unwrap())
 }
 
 /// Two numbers.
