@@ -79,6 +79,7 @@ impl<M> Builder<M> {
                 anchors: anchors.collect(),
                 parts: Vec::new(),
                 supports: Vec::new(),
+                spots: Vec::new(),
                 scale: scale.size,
                 origin: scale.place([0.0; 2]),
                 sight: Sight::PLANE,

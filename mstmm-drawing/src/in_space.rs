@@ -51,6 +51,7 @@ impl<M> Builder<M> {
             anchors: Vec::new(),
             parts: Vec::new(),
             supports: Vec::new(),
+            spots: Vec::new(),
             scale: 1.0,
             origin: [0.0; 2],
             sight: Sight::PLANE,

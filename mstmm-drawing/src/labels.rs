@@ -89,9 +89,14 @@ impl Subject {
     }
 }
 
+/// A bound for the width of a text in letters of some size. Letters from Hangul on may be as wide as they are high.
+pub(crate) fn width_of(text: &str, size: f64) -> f64 {
+    text.chars().map(|letter| if letter < '\u{1100}' { WIDTH * size } else { size }).sum()
+}
+
 /// Half of the box of a text.
 fn half_of(text: &str) -> Vector {
-    [0.5 * WIDTH * SIZE * text.chars().count() as f64 + 1.0, 0.5 * SIZE]
+    [0.5 * width_of(text, SIZE) + 1.0, 0.5 * SIZE]
 }
 
 /// The box of a placed label: its corners.

@@ -37,6 +37,7 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
         anchors: Vec::new(),
         parts: Vec::new(),
         supports: Vec::new(),
+        spots: steps.iter().map(|step| step.point).zip(place_of.iter().copied()).collect(),
         scale: scale.size,
         origin: scale.place([0.0; 2]),
         sight: Sight::PLANE,

@@ -15,8 +15,8 @@ const BESIDE_CENTRE: f64 = 7.0;
 /// Parts of the way from the mass centre to what a body ties at which its label may stand.
 const INSIDE: [f64; 5] = [0.5, 0.4, 0.6, 0.3, 0.7];
 
-/// The labels of points, parts and largest values, each once.
-pub(crate) fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wanted> {
+/// The labels of points, parts and largest values, each once, and those of loads.
+pub(crate) fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram], loads: Vec<Wanted>) -> Vec<Wanted> {
     let figure = &drawing.figure;
     let mut wanted: Vec<Wanted> = Vec::new();
     let mut add = |name: &str, class, subject| {
@@ -35,6 +35,7 @@ pub(crate) fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wante
         add(&part.name, if is_joint { "joint" } else { "element" }, subject(figure, part, [from, to]));
     }
     wanted.extend(diagrams.iter().filter_map(|diagram| diagram.label.clone()));
+    wanted.extend(loads);
     // what has room inside takes it before others lead lines through it
     wanted.sort_by_key(|label| !matches!(label.subject, Subject::Shell(..)));
     wanted

@@ -1,10 +1,12 @@
 //! Writes a drawing as SVG.
 
+use crate::arrows::shown;
+use crate::captions::{below, title};
 use crate::diagram::Diagram;
 use crate::drawing::Drawing;
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
-use crate::labels::placed;
+use crate::labels::{Wanted, placed};
 use crate::motion::Motion;
 use crate::orbits::orbits;
 use crate::outline::{Outline, number};
@@ -13,6 +15,7 @@ use crate::pose::Pose;
 use crate::shape::Number;
 use crate::supports::Standing;
 use crate::triad::triad;
+use crate::vector::Vector;
 use crate::wanted::wanted;
 use mstmm_core::Whirl;
 use std::fmt;
@@ -42,12 +45,14 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
         picture.add_supports(drawing);
         picture.add_mode(drawing);
     }
-    let labels = placed(wanted(drawing, diagrams), &picture.inks);
+    let loads = picture.add_loads(drawing);
+    let labels = placed(wanted(drawing, diagrams, loads), &picture.inks);
     picture.groups.push(group_of_labels(&labels));
     let (mut low, mut high) = bounds(picture.inks.iter().chain(&picture.later), &labels);
     if drawing.figure.scene.is_some() {
         picture.groups.push(triad(&drawing.figure.sight, (&mut low, &mut high), (&picture, &labels)));
     }
+    picture.add_captions(drawing, (&mut low, &mut high));
     let [width, height] = [0, 1].map(|axis| (high[axis] - low[axis]).ceil());
     let mut svg = element("svg", "mstmm");
     svg.assign("xmlns", "http://www.w3.org/2000/svg");
@@ -55,7 +60,8 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("width", width);
     svg.assign("height", height);
     svg.assign("role", "img");
-    svg.assign("aria-label", if drawing.motion.is_some() { "a model in motion" } else { "a model" });
+    let about = if drawing.motion.is_some() { "a model in motion" } else { "a model" };
+    svg.assign("aria-label", drawing.title.as_deref().unwrap_or(about));
     svg.assign("data-scale", drawing.figure.scale);
     svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some(scene) = &drawing.figure.scene {
@@ -68,6 +74,7 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     if let Some((force, _, scale)) = &drawing.force {
         svg.assign("data-force", force.name());
         svg.assign("data-force-scale", of_motion(*scale));
+        svg.assign("data-force-unit", drawing.units.of(*force));
     }
     let mut style = Element::new("style");
     style.append(Text::new(include_str!("style.css")));
@@ -94,6 +101,36 @@ impl Picture {
         }
         if !diagrams.is_empty() {
             self.groups.push(all);
+        }
+    }
+
+    /// The arrows of loads; their labels.
+    fn add_loads<M>(&mut self, drawing: &Drawing<M>) -> Vec<Wanted> {
+        let mut labels = Vec::new();
+        let mut all = element("g", "loads");
+        for load in shown(&drawing.figure, &drawing.loads, &drawing.units) {
+            let mut group = element("g", "load");
+            if let Some(label) = &load.label {
+                group.assign("data-name", label.title.clone());
+            }
+            self.draw(&mut group, load.inks);
+            all.append(group);
+            labels.extend(load.label);
+        }
+        if !drawing.loads.is_empty() {
+            self.groups.push(all);
+        }
+        labels
+    }
+
+    /// A title above the picture, and the unit of a diagram below it.
+    fn add_captions<M>(&mut self, drawing: &Drawing<M>, (low, high): (&mut Vector, &mut Vector)) {
+        if let Some(text) = &drawing.title {
+            self.groups.push(title(text, (low, high)));
+        }
+        if let Some((force, ..)) = drawing.force {
+            let free = if drawing.is_of_mode { ", of a mode, whose size is free" } else { "" };
+            self.groups.push(below(&format!("{} [{}]{free}", force.name(), drawing.units.of(force)), (low, high)));
         }
     }
 

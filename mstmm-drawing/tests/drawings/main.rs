@@ -7,6 +7,7 @@ mod forces;
 mod frames;
 mod gallery;
 mod labels;
+mod loads;
 mod modes;
 mod pictures;
 mod places;

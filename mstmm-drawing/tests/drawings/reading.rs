@@ -68,7 +68,9 @@ impl Picture {
     /// All labels.
     pub(crate) fn labels(&self) -> Vec<Label> {
         self.read(|root| {
-            let texts = root.descendants().filter(|node| node.has_tag_name("text"));
+            let is_label =
+                |text: &Node<'_, '_>| text.has_tag_name("text") && text.children().any(|own| own.has_tag_name("title"));
+            let texts = root.descendants().filter(is_label);
             texts
                 .map(|text| Label {
                     text: text.text().unwrap().trim().to_owned(),
@@ -77,6 +79,26 @@ impl Picture {
                     at: ["x", "y"].map(|name| text.attribute(name).unwrap().parse().unwrap()),
                 })
                 .collect()
+        })
+    }
+
+    /// The paths of each load.
+    pub(crate) fn loads(&self) -> Vec<Vec<Corners>> {
+        self.read(|root| {
+            let loads =
+                root.descendants().filter(|node| node.has_tag_name("g") && node.attribute("class") == Some("load"));
+            let paths =
+                |load: Node<'_, '_>| load.children().filter_map(|path| path.attribute("d").map(points)).collect();
+            loads.map(paths).collect()
+        })
+    }
+
+    /// What is written above and below the picture, and where.
+    pub(crate) fn captions(&self) -> Vec<(String, [f64; 2])> {
+        self.read(|root| {
+            let captions = root.descendants().filter(|node| matches!(node.attribute("class"), Some("title" | "unit")));
+            let at = |text: Node<'_, '_>| ["x", "y"].map(|name| text.attribute(name).unwrap().parse().unwrap());
+            captions.map(|text| (text.text().unwrap().trim_end_matches('\n').to_owned(), at(text))).collect()
         })
     }
 
