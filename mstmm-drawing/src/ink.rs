@@ -1,9 +1,6 @@
 //! What is drawn with one pen.
 
-use crate::outline::{Outline, number};
-use crate::picture::path;
-use svg::Node;
-use svg::node::element::Element;
+use crate::outline::Outline;
 
 /// A pen: the class of a path in the style sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,14 +61,5 @@ pub(crate) struct Ink {
 impl Ink {
     pub(crate) fn new(pen: Pen, outline: Outline) -> Self {
         Ink { pen, outline, width: None }
-    }
-
-    /// Its path.
-    pub(crate) fn path(&self) -> Element {
-        let mut path = path(self.pen.class(), &self.outline);
-        if let Some(width) = self.width {
-            path.assign("style", format!("stroke-width:{}", number(width)));
-        }
-        path
     }
 }

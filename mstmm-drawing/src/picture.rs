@@ -27,7 +27,7 @@ impl Picture {
     /// Draws in a group.
     pub(crate) fn draw(&mut self, group: &mut Element, inks: Vec<Ink>) {
         for ink in inks {
-            group.append(ink.path());
+            group.append(drawn(&ink));
             self.inks.extend(Some(ink).filter(|ink| !ink.pen.is_halo()));
         }
     }
@@ -36,7 +36,7 @@ impl Picture {
     pub(crate) fn moving(&mut self, [name, word]: [&str; 2], moments: Vec<Vec<Ink>>) -> [Element; 2] {
         let [mut quiet, mut lively] = [group(name, word), group(name, word)];
         for (number, ink) in moments[0].iter().enumerate() {
-            let mut path = ink.path();
+            let mut path = drawn(ink);
             quiet.append(path.clone());
             path.append(animation(moments.iter().map(|inks| inks[number].outline.data()).collect()));
             lively.append(path);
@@ -59,6 +59,15 @@ pub(crate) fn element(name: &str, class: &str) -> Element {
 pub(crate) fn path(class: &str, outline: &Outline) -> Element {
     let mut path = element("path", class);
     path.assign("d", outline.data());
+    path
+}
+
+/// The path of a line or an area, with its width where it has one of its own.
+fn drawn(ink: &Ink) -> Element {
+    let mut path = path(ink.pen.class(), &ink.outline);
+    if let Some(width) = ink.width {
+        path.assign("style", format!("stroke-width:{}", number(width)));
+    }
     path
 }
 
