@@ -1,9 +1,9 @@
 //! A milling spindle: a stepped shaft with shear and rotary inertia on two bearings, which slender beams would make too stiff.
 
 use mstmm::prelude::*;
+use mstmm::sections;
 use mstmm_drawing::Drawing;
 use std::error::Error;
-use std::f64::consts::PI;
 
 system! {
     /// A spindle on two bearings with a tool at its nose.
@@ -15,9 +15,11 @@ system! {
     /// ```
     #[derive(Clone, Copy, Debug)]
     pub struct Spindle {
-        /// Diameter of the shaft [m]
+        /// Diameter of the shaft between the bearings [m]
         pub diameter: f64,
-        /// Diameter of its bore [m]
+        /// Diameter of the nose [m]
+        pub nose: f64,
+        /// Diameter of the bore [m]
         pub bore: f64,
         /// Distance of the bearings [m]
         pub span: f64,
@@ -33,16 +35,21 @@ system! {
         pub shear: f64,
     }
 
-    let area = 0.25 * PI * (diameter * diameter - bore * bore);
-    let second_moment = PI / 64.0 * (diameter.powi(4) - bore.powi(4));
+    let (area, second_moment, ..) = sections::tube(diameter, bore);
+    let (nose_area, nose_second_moment, ..) = sections::tube(nose, bore);
     // steel, and the shear coefficient of a thick tube
-    let (ei, m) = (2.1e11 * second_moment, 7850.0 * area);
-    let shear_stiffness = 0.6 * 8.1e10 * area / shear;
-    let rotary_inertia = shear * 7850.0 * second_moment;
+    section shaft {
+        bending_stiffness: 2.1e11 * second_moment, mass_per_length: 7850.0 * area,
+        shear_stiffness: 0.6 * 8.1e10 * area / shear, rotary_inertia: shear * 7850.0 * second_moment,
+    }
+    section thick {
+        bending_stiffness: 2.1e11 * nose_second_moment, mass_per_length: 7850.0 * nose_area,
+        shear_stiffness: 0.6 * 8.1e10 * nose_area / shear, rotary_inertia: shear * 7850.0 * nose_second_moment,
+    }
 
     free -> conn rear
-        -> beam 1 { length: span, bending_stiffness: ei, mass_per_length: m, shear_stiffness, rotary_inertia } -> conn front
-        -> beam 2 { length: overhang, bending_stiffness: ei, mass_per_length: m, shear_stiffness, rotary_inertia }
+        -> beam 1 { length: span, ..shaft } -> conn front
+        -> beam 2 { length: overhang, ..thick }
         -> point_mass 3 { mass: tool, inertia: 0.0 } -> free;
     conn rear <- spring 4 { stiffness: rear } <- fixed;
     conn front <- spring 5 { stiffness: front } <- fixed;
@@ -50,7 +57,17 @@ system! {
 
 /// A spindle for heavy milling.
 pub fn heavy() -> Spindle {
-    Spindle { diameter: 0.1, bore: 0.04, span: 0.3, overhang: 0.12, rear: 4e8, front: 8e8, tool: 3.0, shear: 1.0 }
+    Spindle {
+        diameter: 0.1,
+        nose: 0.16,
+        bore: 0.04,
+        span: 0.3,
+        overhang: 0.12,
+        rear: 4e8,
+        front: 8e8,
+        tool: 3.0,
+        shear: 1.0,
+    }
 }
 
 /// Deflection of the nose under a unit force there [m/N].

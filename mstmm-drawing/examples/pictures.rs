@@ -6,7 +6,7 @@ pub(crate) mod portal;
 
 #[path = "../../examples/space_portal.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
-mod space_portal;
+pub(crate) mod space_portal;
 
 #[path = "../../examples/earthquake.rs"]
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
@@ -37,6 +37,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> {
     let system = portal::steel().build()?;
     let first = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    let load = portal::Portal::conn_b.force_x();
+    let at_rest = system.frequency_response(load, portal::Portal::conn_b.displacement_x())?.states(0.0)?;
+    let moments = Drawing::of(&system)?.forces(&at_rest, Force::Moment)?.load(load, 1.0)?.titled("Moments under 1 N");
     let tip_body = models::light_tip_body().build()?;
     let restrained_beam = models::restrained_beam().build()?;
     let spring_and_mass = models::spring_and_mass().build()?;
@@ -56,7 +59,7 @@ pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> 
         ("ranges", ranges.to_string()),
         ("portal", Drawing::of(&system)?.to_string()),
         ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),
-        ("portal_moment", Drawing::of(&system)?.forces(&first, Force::Moment)?.to_string()),
+        ("portal_moment", moments.to_string()),
         ("space_portal_mode", Drawing::of(&in_space)?.mode(&third)?.to_string()),
         ("tip_body", Drawing::of(&tip_body)?.to_string()),
         ("restrained_beam", Drawing::of(&restrained_beam)?.to_string()),

@@ -19,8 +19,9 @@ const CLEAR: f64 = 7.0;
 const CLEAR_OF_SUPPORT: f64 = 20.0;
 const MOST_TRIM: f64 = 60.0;
 
-/// Half of the width of the widest pen.
-const WIDE: f64 = 4.5;
+/// Half of the width of the widest line with the paper around it, and how wide that paper is beside a beam.
+const WIDE: f64 = 6.4;
+const PAPER: f64 = 2.7;
 
 /// How far a piece goes on below the next one, so that no paper shows between both.
 const OVERLAP: f64 = 1.0;
@@ -66,12 +67,13 @@ fn at_anchor(scene: &Scene, anchor: usize) -> f64 {
 struct Source {
     room: Room,
     pen: Pen,
+    width: Option<f64>,
     moments: Vec<Vec<Vector>>,
 }
 
 impl Source {
     fn piece(&self, part: [f64; 2]) -> Vec<Vec<Ink>> {
-        self.moments.iter().map(|line| self.room.piece(self.pen, line, part)).collect()
+        self.moments.iter().map(|line| self.room.piece((self.pen, self.width), line, part)).collect()
     }
 }
 
@@ -114,6 +116,7 @@ impl<'a> Pieces<'a> {
             let source = Source {
                 room: Room::of(figure, scene, ends),
                 pen: moments[0][0].pen,
+                width: moments[0][0].width,
                 moments: moments.iter().map(|inks| inks[0].outline.line_at(stroke)).collect(),
             };
             let number = self.sources.len();
@@ -223,11 +226,12 @@ impl Room {
     }
 
     /// A piece of a line, with paper around it.
-    fn piece(&self, pen: Pen, line: &[Vector], [start, end]: [f64; 2]) -> Vec<Ink> {
+    fn piece(&self, (pen, width): (Pen, Option<f64>), line: &[Vector], [start, end]: [f64; 2]) -> Vec<Ink> {
         let over = if self.length > OVERLAP { OVERLAP / self.length } else { 0.0 };
         let own = cut(line, [(start - over).max(0.0), (end + over).min(1.0)]);
         let halo = self.halo(line, if pen == Pen::Beam { Pen::WideHalo } else { Pen::Halo }, [start, end]);
-        halo.into_iter().chain([Ink::new(pen, Outline::line(own))]).collect()
+        let halo = halo.map(|halo| Ink { width: width.map(|width| width + 2.0 * PAPER), ..halo });
+        halo.into_iter().chain([Ink { width, ..Ink::new(pen, Outline::line(own)) }]).collect()
     }
 
     /// Paper around a piece, but where other lines meet it.

@@ -2,7 +2,7 @@
 
 use crate::figure::{Figure, Inside};
 use crate::kind::Kind;
-use crate::labels::Wanted;
+use crate::labels::{Subject, Wanted};
 use crate::vector::{Vector, between, direction, plus};
 
 /// An internal force of beams.
@@ -106,23 +106,46 @@ pub(crate) fn diagrams<M>(figure: &Figure<M>, force: Force, values: &[Vec<[f64; 
         area.extend(values.iter().rev().map(|value| tip(*value)));
         let every = (values.len() / LINES).max(1);
         let lines = values.iter().step_by(every).map(|value| vec![foot(value[0]), tip(*value)]).collect();
-        let peak =
-            values.iter().copied().reduce(|best, value| if value[1].abs() > best[1].abs() { value } else { best });
-        let label = peak.filter(|peak| peak[1].abs() > WRITTEN * largest).map(|peak| Wanted {
-            text: written(peak[1]),
+        let label = largest_of(values, |value| value[1]).filter(|(peak, _)| peak.abs() > WRITTEN * largest);
+        let label = label.map(|(peak, alike)| Wanted {
+            text: written(peak),
             class: "value",
             title: format!("{} of {}", force.name(), figure.parts[part].name),
-            // over the member that it belongs to, where two meet
-            at: plus(tip(peak), plus(foot(peak[0].clamp(BESIDE, 1.0 - BESIDE)), foot(peak[0]), -1.0), 1.0),
+            subject: Subject::Line(alike.map(|index| over(&foot, values[index][0], tip(values[index])))),
         });
         found.push(Diagram { part, area, lines, label });
     }
     Some((found, scale))
 }
 
+/// The largest of values, by their sizes, and from where to where it is written alike: the longest run, of a single one its place.
+pub(crate) fn largest_of<V>(values: &[V], number: impl Fn(&V) -> f64) -> Option<(f64, [usize; 2])> {
+    let larger = |best: f64, next: f64| if next.abs() > best.abs() { next } else { best };
+    let peak = values.iter().map(&number).reduce(larger)?;
+    let text = written(peak);
+    let is_alike = |value: &V| written(number(value)) == text;
+    let mut ends = 0;
+    let runs = values.chunk_by(|one, next| is_alike(one) == is_alike(next)).map(|run| {
+        ends += run.len();
+        (is_alike(&run[0]), [ends - run.len(), ends - 1])
+    });
+    // of runs as long as each other the first
+    let longer = |best: [usize; 2], next: [usize; 2]| if next[1] - next[0] > best[1] - best[0] { next } else { best };
+    let longest = runs.filter(|(is_alike, _)| *is_alike).map(|(_, run)| run).reduce(longer)?;
+    Some((peak, longest))
+}
+
+/// The tip of an ordinate, moved over the member that it belongs to, where two meet.
+pub(crate) fn over(foot: &impl Fn(f64) -> Vector, at: f64, tip: Vector) -> Vector {
+    plus(tip, plus(foot(at.clamp(BESIDE, 1.0 - BESIDE)), foot(at), -1.0), 1.0)
+}
+
 /// A number with three digits.
 pub(crate) fn written(value: f64) -> String {
     let size = value.abs();
+    if size == 0.0 {
+        return String::from("0");
+    }
     let digits = 2 - size.log10().floor() as i32;
     let text = if (-3..=6).contains(&digits) {
         let power = 10.0_f64.powi(digits);

@@ -1,9 +1,9 @@
 //! Diagrams of internal forces of members in space, in their own axes.
 
-use crate::diagram::{BESIDE, Diagram, Force, HEIGHT, LINES, WRITTEN, written};
+use crate::diagram::{Diagram, Force, HEIGHT, LINES, WRITTEN, largest_of, over, written};
 use crate::error::DrawingError;
 use crate::figure::Figure;
-use crate::labels::Wanted;
+use crate::labels::{Subject, Wanted};
 use crate::motion::sampled;
 use crate::shape::{Number, Section, Shape};
 use crate::vector::{Vector, between, plus};
@@ -69,14 +69,13 @@ pub(crate) fn diagrams_in_space<M>(
         area.extend(values.iter().rev().map(|value| tip(*value)));
         let every = (values.len() / LINES).max(1);
         let lines = values.iter().step_by(every).map(|value| vec![foot(value.0), tip(*value)]).collect();
-        let peak =
-            values.iter().copied().reduce(|best, value| if size(&value.1) > size(&best.1) { value } else { best });
-        let label = peak.filter(|peak| size(&peak.1) > WRITTEN * largest).map(|peak| Wanted {
-            text: written(if force.has_sign_in_space() { peak.1[1] } else { size(&peak.1) }),
+        let value = |(_, value): &Ordinate| if force.has_sign_in_space() { value[1] } else { size(value) };
+        let label = largest_of(values, value).filter(|(peak, _)| peak.abs() > WRITTEN * largest);
+        let label = label.map(|(peak, alike)| Wanted {
+            text: written(peak),
             class: "value",
             title: format!("{} of {}", force.name(), figure.parts[part].name),
-            // over the member that it belongs to, where two meet
-            at: plus(tip(peak), plus(foot(peak.0.clamp(BESIDE, 1.0 - BESIDE)), foot(peak.0), -1.0), 1.0),
+            subject: Subject::Line(alike.map(|index| over(&foot, values[index].0, tip(values[index])))),
         });
         let depth = scene.depths[ends[0]] + scene.depths[ends[1]];
         found.push((depth, Diagram { part, area, lines, label }));

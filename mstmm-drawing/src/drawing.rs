@@ -1,14 +1,17 @@
 //! A drawing: a model, and what is drawn over it.
 
+use crate::captions::in_one_line;
 use crate::diagram::{Diagram, Force, diagrams};
 use crate::diagram_in_space::{Ordinate, diagrams_in_space, ordinates};
 use crate::error::DrawingError;
 use crate::figure::Figure;
+use crate::loads::{Loaded, Loading};
 use crate::motion::{Motion, forces};
 use crate::projection::project;
 use crate::shape::{Number, Shape};
 use crate::sketched::Sketched;
 use crate::sketched::private::Figured;
+use crate::units::Units;
 use crate::view::View;
 use mstmm_core::Whirl;
 use std::fmt;
@@ -26,6 +29,11 @@ pub struct Drawing<M> {
     pub(crate) motion: Option<(Motion, Number)>,
     /// A force with its diagrams, and its unit on the paper.
     pub(crate) force: Option<(Force, Vec<Diagram>, f64)>,
+    /// Whether the force is that of a mode.
+    pub(crate) is_of_mode: bool,
+    pub(crate) loads: Vec<Loaded>,
+    pub(crate) units: Units,
+    pub(crate) title: Option<String>,
     ordinates: Ordinates,
     /// The whirl of which the motion is, where its orbits are drawn.
     pub(crate) whirl: Option<Whirl>,
@@ -74,6 +82,10 @@ impl<M> Drawing<M> {
             figure: system.figure()?,
             motion: None,
             force: None,
+            is_of_mode: false,
+            loads: Vec::new(),
+            units: Units::default(),
+            title: None,
             ordinates: Ordinates::None,
             whirl: None,
             is_labelled: true,
@@ -122,7 +134,7 @@ impl<M> Drawing<M> {
     ///
     /// # Errors
     /// As [`mode`](Drawing::mode); [`DrawingError::NoForce`] where no member has such a force, or all are zero.
-    pub fn forces(mut self, shape: &impl Shape<M>, force: Force) -> Result<Self, DrawingError> {
+    pub fn forces<S: Shape<M>>(mut self, shape: &S, force: Force) -> Result<Self, DrawingError> {
         let (_, phase) = Motion::of(&self.figure, shape)?.largest();
         let turn = Number::from_polar(1.0, -phase);
         self.ordinates = match self.figure.scene {
@@ -130,7 +142,77 @@ impl<M> Drawing<M> {
             None => Ordinates::InPlane(forces(&self.figure, shape, force, turn)?),
         };
         self.force = Some(self.ordinates.diagrams(&self.figure, force)?);
+        self.is_of_mode = S::IS_MODE;
         Ok(self)
+    }
+
+    /// The drawing with a load as an arrow where it acts, times an amount, which is written beside it: a force, a moment, a load along a member, the
+    /// weight of all or the acceleration of the ground. Arrows show the sense, so the amount is written without its sign; a load of zero has none.
+    ///
+    /// ```
+    /// use mstmm::prelude::*;
+    /// use mstmm_drawing::{Drawing, Force};
+    ///
+    /// system! {
+    ///     struct Bracket { arm: f64 }
+    ///     fixed at (0.0, 0.0) -> beam 1 { axial_stiffness: 4e8, bending_stiffness: 1e6, mass_per_length: 20.0 } -> conn tip at (arm, 0.0);
+    /// }
+    ///
+    /// let bracket = Bracket { arm: 2.0 }.build()?;
+    /// let load = Bracket::conn_tip.force_y();
+    /// let states = bracket.frequency_response(load, Bracket::conn_tip.displacement_y())?.states(0.0)?;
+    /// // states are those under 1 N upwards
+    /// let drawing = Drawing::of(&bracket)?.titled("Bracket under 1 N").forces(&states, Force::Moment)?.load(load, 1.0)?;
+    /// let svg = drawing.to_string();
+    /// assert!(svg.contains("moment [N m]") && svg.contains("1.00 N") && svg.contains("Bracket under 1 N"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`DrawingError::NoPlace`] where it acts on nothing that is drawn, [`DrawingError::LoadNotFinite`] for an amount that is not finite.
+    pub fn load(mut self, load: impl Loading<M>, amount: f64) -> Result<Self, DrawingError> {
+        if !amount.is_finite() {
+            return Err(DrawingError::LoadNotFinite { amount });
+        }
+        let arrows = load.arrows(&self.figure);
+        if arrows.is_empty() {
+            return Err(DrawingError::NoPlace);
+        }
+        self.loads.push(Loaded { arrows, amount, is_acceleration: load.is_acceleration() });
+        Ok(self)
+    }
+
+    /// The drawing with a title above it.
+    ///
+    /// ```
+    /// use mstmm_drawing::Drawing;
+    /// let system = paper::models::two_spans().build().unwrap();
+    /// let drawing = Drawing::of(&system)?.titled("Two spans, a < b & c");
+    /// assert!(drawing.to_string().contains("Two spans, a &lt; b &amp; c"));
+    /// # Ok::<(), mstmm_drawing::DrawingError>(())
+    /// ```
+    #[must_use]
+    pub fn titled(mut self, title: impl AsRef<str>) -> Self {
+        self.title = Some(in_one_line(title.as_ref()));
+        self
+    }
+
+    /// The drawing with other names of the units of force and of length, in which the numbers of the model are: `units("kN", "m")`. Without them
+    /// they are N and m. Nothing is converted.
+    ///
+    /// ```
+    /// use mstmm_drawing::{Drawing, Force};
+    /// use mstmm::prelude::*;
+    /// let system = paper::models::two_spans().build().unwrap();
+    /// let shape = system.mode_shape(&system.first_frequencies::<1>()?[0])?;
+    /// let drawing = Drawing::of(&system)?.forces(&shape, Force::Moment)?.units("kN", "cm");
+    /// assert!(drawing.to_string().contains("moment [kN cm]"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn units(mut self, force: impl AsRef<str>, length: impl AsRef<str>) -> Self {
+        self.units = Units { force: in_one_line(force.as_ref()), length: in_one_line(length.as_ref()) };
+        self
     }
 
     /// The drawing of a model in space from another side. Without a view it is [isometric](View::isometric); a model of the plane stays as it is.

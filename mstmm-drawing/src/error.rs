@@ -55,6 +55,17 @@ pub enum DrawingError {
         /// The force.
         force: &'static str,
     },
+    /// A load acts on nothing that is drawn, or is no force and no moment.
+    #[error(
+        "the load has no place in the drawing: it acts on no point, no member and no mass that is drawn, or is no force"
+    )]
+    NoPlace,
+    /// The amount of a load is not finite.
+    #[error("the load has the amount {amount}, which no arrow has")]
+    LoadNotFinite {
+        /// The amount.
+        amount: f64,
+    },
     /// The file refuses.
     #[error("the file cannot be written: {0}")]
     Io(#[from] io::Error),

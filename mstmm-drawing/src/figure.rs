@@ -14,6 +14,8 @@ pub struct Figure<M> {
     pub(crate) anchors: Vec<Anchor<M>>,
     pub(crate) parts: Vec<Part<M>>,
     pub(crate) supports: Vec<Support>,
+    /// The points of a tree, each with its anchor.
+    pub(crate) spots: Vec<(Point<M>, usize)>,
     /// Size of a metre of the model on the paper.
     pub(crate) scale: f64,
     /// Where the origin of the model is on the paper.

@@ -7,6 +7,7 @@ use crate::kind::Kind;
 use crate::lanes::lay_side_by_side;
 use crate::loose::Loose;
 use crate::path_places::place_paths;
+use crate::symbols::beams::scale_beams;
 use crate::vector::{Vector, direction, distance, plus, turned};
 use crate::view::Sight;
 use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnPoint, DrawnSupport, Freedoms, Parameter, Real, Sketch, Skew};
@@ -28,6 +29,7 @@ pub(crate) fn figure<Y: Drawn>(sketch: &Sketch<'_, Y>) -> Result<Figure<Y::Model
         lay_side_by_side(&mut frame.figure, &frame.loose);
     }
     place_paths(&mut frame.figure, &frame.loose, &frame.directions);
+    scale_beams(&mut frame.figure);
     Ok(frame.figure)
 }
 
@@ -77,6 +79,7 @@ impl<M> Builder<M> {
                 anchors: anchors.collect(),
                 parts: Vec::new(),
                 supports: Vec::new(),
+                spots: Vec::new(),
                 scale: scale.size,
                 origin: scale.place([0.0; 2]),
                 sight: Sight::PLANE,
@@ -95,7 +98,7 @@ impl<M> Builder<M> {
             let name = member.name.to_string();
             let direction_of = |end: &DrawnEnd<M, Y::Parameter>| end.along.map(plain).and_then(on_paper);
             let along = member.ends.iter().find_map(direction_of);
-            let kind = match (Kind::of(member.kind), along) {
+            let kind = match (Kind::of(member.kind).of_stiffness(member.bending_stiffness), along) {
                 (Kind::Slider(_), Some(along)) => Kind::Slider(along),
                 (kind, _) => kind,
             };

@@ -8,6 +8,7 @@ use crate::projection::project;
 use crate::scene::{Place, Scene};
 use crate::solid::Solid;
 use crate::spatial_kind::{grip, is_bar, kind_of, release};
+use crate::symbols::beams::scale_beams;
 use crate::vector3::{Vector3, direction3, length3, plus3, times};
 use crate::view::{Sight, View};
 use mstmm_core::{Drawn, DrawnBody, DrawnEnd, DrawnMember, Freedoms, Parameter, Real, Sketch, Skew};
@@ -25,6 +26,7 @@ pub(crate) fn figure<Y: Drawn>(sketch: &Sketch<'_, Y>) -> Result<Figure<Y::Model
     frame.add_bodies(sketch);
     frame.add_supports(sketch);
     let mut figure = frame.finished();
+    scale_beams(&mut figure);
     project(&mut figure, View::isometric())?;
     Ok(figure)
 }
@@ -49,6 +51,7 @@ impl<M> Builder<M> {
             anchors: Vec::new(),
             parts: Vec::new(),
             supports: Vec::new(),
+            spots: Vec::new(),
             scale: 1.0,
             origin: [0.0; 2],
             sight: Sight::PLANE,
@@ -96,7 +99,7 @@ impl<M> Builder<M> {
         let name = member.name.to_string();
         let axes = member.axes.map(|axes| axes.map(plain));
         let along = member.ends.iter().find_map(|end| direction3(plain(end.along?)));
-        let kind = kind_of(member.kind, member.freedoms, along, axes);
+        let kind = kind_of(member.kind, member.freedoms, along, axes).of_stiffness(member.bending_stiffness);
         let kind = if is_bar(kind, member.freedoms, [&member.ends[0].released, &member.ends[1].released]) {
             Kind::Bar
         } else {

@@ -54,10 +54,12 @@ impl Pen {
 pub(crate) struct Ink {
     pub(crate) pen: Pen,
     pub(crate) outline: Outline,
+    /// The width of a line that has not that of its pen.
+    pub(crate) width: Option<f64>,
 }
 
 impl Ink {
     pub(crate) fn new(pen: Pen, outline: Outline) -> Self {
-        Ink { pen, outline }
+        Ink { pen, outline, width: None }
     }
 }

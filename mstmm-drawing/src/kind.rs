@@ -6,8 +6,10 @@ use crate::vector::Vector;
 /// The symbol of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
+    /// A beam, with the width of its line.
     Beam {
         on_foundation: bool,
+        width: f64,
     },
     /// A shaft that spins, with its radius on the paper.
     Spinning(f64),
@@ -60,7 +62,7 @@ impl Kind {
             "disc" => Kind::Disc,
             "spinningbeam" | "dampedspinningbeam" => Kind::Spinning(0.0),
             "lever" | "levercolumn" => Kind::Lever,
-            _ if has("beam") => Kind::Beam { on_foundation: has("foundation") },
+            _ if has("beam") => Kind::Beam { on_foundation: has("foundation"), width: 0.0 },
             _ if has("body") => Kind::Body,
             _ if has("hinge") => Kind::ElasticHinge,
             _ if has("damper") && torsion && !has("spring") => Kind::TorsionDamper,
@@ -70,6 +72,15 @@ impl Kind {
             _ if has("damper") => Kind::Damper,
             _ if has("spring") => Kind::Spring,
             _ => Kind::Other,
+        }
+    }
+
+    /// The symbol of an element of some bending stiffness: a beam is as wide as a round bar would be, but for a factor that all beams share.
+    pub(crate) fn of_stiffness(self, stiffness: f64) -> Kind {
+        match self {
+            // a round bar of a diameter d has EI ~ d⁴
+            Kind::Beam { on_foundation, .. } => Kind::Beam { on_foundation, width: stiffness.powf(0.25) },
+            other => other,
         }
     }
 

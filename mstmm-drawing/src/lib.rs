@@ -2,7 +2,9 @@
 #![forbid(unsafe_code)]
 
 mod anchors;
+mod arrows;
 mod campbell;
+mod captions;
 mod chart;
 mod depth;
 mod diagram;
@@ -17,6 +19,7 @@ mod ink;
 mod kind;
 mod labels;
 mod lanes;
+mod loads;
 mod loose;
 mod mode_diagram;
 mod motion;
@@ -26,6 +29,7 @@ mod path_places;
 mod picture;
 mod pose;
 mod projection;
+mod room;
 mod scene;
 mod shape;
 mod sketched;
@@ -36,9 +40,11 @@ mod symbols;
 mod tree;
 mod tree_places;
 mod triad;
+mod units;
 mod vector;
 mod vector3;
 mod view;
+mod wanted;
 mod write;
 mod write_in_space;
 
@@ -46,6 +52,7 @@ pub use campbell::CampbellDiagram;
 pub use diagram::Force;
 pub use drawing::Drawing;
 pub use error::DrawingError;
+pub use loads::Loading;
 pub use mode_diagram::ModeDiagram;
 pub use shape::Shape;
 pub use sketched::{Frame, Sketched, Tree};

@@ -27,7 +27,7 @@ impl Picture {
     /// Draws in a group.
     pub(crate) fn draw(&mut self, group: &mut Element, inks: Vec<Ink>) {
         for ink in inks {
-            group.append(path(ink.pen.class(), &ink.outline));
+            group.append(drawn(&ink));
             self.inks.extend(Some(ink).filter(|ink| !ink.pen.is_halo()));
         }
     }
@@ -36,7 +36,7 @@ impl Picture {
     pub(crate) fn moving(&mut self, [name, word]: [&str; 2], moments: Vec<Vec<Ink>>) -> [Element; 2] {
         let [mut quiet, mut lively] = [group(name, word), group(name, word)];
         for (number, ink) in moments[0].iter().enumerate() {
-            let mut path = path(ink.pen.class(), &ink.outline);
+            let mut path = drawn(ink);
             quiet.append(path.clone());
             path.append(animation(moments.iter().map(|inks| inks[number].outline.data()).collect()));
             lively.append(path);
@@ -59,6 +59,15 @@ pub(crate) fn element(name: &str, class: &str) -> Element {
 pub(crate) fn path(class: &str, outline: &Outline) -> Element {
     let mut path = element("path", class);
     path.assign("d", outline.data());
+    path
+}
+
+/// The path of a line or an area, with its width where it has one of its own.
+fn drawn(ink: &Ink) -> Element {
+    let mut path = path(ink.pen.class(), &ink.outline);
+    if let Some(width) = ink.width {
+        path.assign("style", format!("stroke-width:{}", number(width)));
+    }
     path
 }
 
@@ -101,6 +110,9 @@ pub(crate) fn pair(vector: Vector) -> String {
 pub(crate) fn group_of_labels(labels: &[Placed]) -> Element {
     let mut all = element("g", "labels");
     for label in labels {
+        if let Some(ends) = label.leader {
+            all.append(path("leader", &Outline::line(ends.into())));
+        }
         let mut text = element("text", label.wanted.class);
         text.assign("x", number(label.middle[0]));
         text.assign("y", number(label.middle[1]));

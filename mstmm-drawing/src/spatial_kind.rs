@@ -19,7 +19,7 @@ const ONE_SIDE: f64 = 0.5;
 /// The symbol of a member, by the name of its type, what it shares and its axes.
 pub(crate) fn kind_of(word: &str, shared: Freedoms, along: Option<Vector3>, axes: Option<[Vector3; 3]>) -> Kind {
     match Kind::of(word) {
-        Kind::Beam { .. } => Kind::Beam { on_foundation: false },
+        Kind::Beam { width, .. } => Kind::Beam { on_foundation: false, width },
         Kind::Pin | Kind::Slider(_) | Kind::ElasticHinge => Kind::Solid(joint(shared, along, axes)),
         Kind::Other if word.to_lowercase().contains("joint") => Kind::Solid(joint(shared, along, axes)),
         kind => kind,

@@ -1,6 +1,7 @@
 //! The symbols of elements.
 
-mod bodies;
+pub(crate) mod beams;
+pub(crate) mod bodies;
 pub(crate) mod convex;
 mod joints;
 pub(crate) mod rotors;
@@ -18,8 +19,8 @@ pub(crate) fn inks(kind: Kind, sight: &Sight, rest: &[Vector], (ends, curve): (&
     let (from, to) = (ends[0], ends[1]);
     let line = || Outline::line(if curve.is_empty() { vec![from, to] } else { curve.to_vec() });
     match kind {
-        Kind::Beam { on_foundation } => {
-            let mut inks = vec![Ink::new(Pen::Beam, line())];
+        Kind::Beam { on_foundation, width } => {
+            let mut inks = vec![beams::line(line(), width)];
             if on_foundation && curve.is_empty() {
                 inks.extend(springs::foundation(from, to));
             }

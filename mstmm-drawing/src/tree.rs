@@ -4,6 +4,7 @@ use crate::anchors::Scale;
 use crate::error::DrawingError;
 use crate::figure::{Anchor, Figure, Holds, Inside, Moves, Part, Support, label_of};
 use crate::kind::Kind;
+use crate::symbols::beams::scale_beams;
 use crate::symbols::rotors::{factor, radius_of_disc};
 use crate::tree_places::{Beside, Edge, TreePlaces, places, way_of};
 use crate::vector::{Vector, plus};
@@ -36,6 +37,7 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
         anchors: Vec::new(),
         parts: Vec::new(),
         supports: Vec::new(),
+        spots: steps.iter().map(|step| step.point).zip(place_of.iter().copied()).collect(),
         scale: scale.size,
         origin: scale.place([0.0; 2]),
         sight: Sight::PLANE,
@@ -48,6 +50,7 @@ pub(crate) fn figure<Y: DrawnTree>(sketch: &TreeSketch<'_, Y>) -> Result<Figure<
     }
     add_supports(&mut figure, &steps, &place_of);
     scale_shafts(&mut figure);
+    scale_beams(&mut figure);
     Ok(figure)
 }
 
@@ -152,7 +155,8 @@ fn beside<M>(figure: &mut Figure<M>, ends: [usize; 2], beside: Option<Beside>, s
 
 fn add_element<M>(figure: &mut Figure<M>, step: &DrawnStep<'_, M>, ends: [usize; 2], deflection: Deflection) {
     let (DrawnPart::Element { kind: word, extent }, Some(label)) = (step.part, step.label) else { return };
-    let (mut kind, Deflection { along, is_rotation }) = (Kind::of(word), deflection);
+    let (mut kind, Deflection { along, is_rotation }) =
+        (Kind::of(word).of_stiffness(extent.bending_stiffness), deflection);
     let radius = extent.radius * figure.scale;
     let mut ends = Vec::from(ends);
     if let Some(centre) = extent.centre {

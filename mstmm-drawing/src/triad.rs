@@ -58,7 +58,7 @@ pub(crate) fn triad(
         };
         all.append(path(if is_short { "hollow" } else { "axis" }, &outline));
         if is_short {
-            all.append(path("axis", &mark(at, sight.depth(axis) > 0.0)));
+            all.append(path("axis", &mark(at, RADIUS, sight.depth(axis) > 0.0)));
         }
         let place = if is_short { plus(at, [-11.0, 11.0], 1.0) } else { plus(at, way, NAME) };
         all.append(label(name, place));
@@ -66,12 +66,12 @@ pub(crate) fn triad(
     all
 }
 
-/// What is drawn in the circle of an axis seen as a point: a dot if it leads to the reader, else a cross.
-fn mark([x, y]: Vector, is_near: bool) -> Outline {
+/// What is drawn in the circle of an axis or an arrow seen as a point: a dot if it leads to the reader, else a cross.
+pub(crate) fn mark([x, y]: Vector, radius: f64, is_near: bool) -> Outline {
     if is_near {
         return Outline::Disc([x, y], 0.6);
     }
-    let half = RADIUS * 0.5_f64.sqrt();
+    let half = radius * 0.5_f64.sqrt();
     Outline::Lines(vec![
         vec![[x - half, y - half], [x + half, y + half]],
         vec![[x - half, y + half], [x + half, y - half]],

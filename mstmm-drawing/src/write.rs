@@ -1,8 +1,9 @@
 //! Writes a drawing as SVG.
 
+use crate::arrows::shown;
+use crate::captions::{below, title};
 use crate::diagram::Diagram;
 use crate::drawing::Drawing;
-use crate::figure::label_of;
 use crate::ink::{Ink, Pen};
 use crate::kind::Kind;
 use crate::labels::{Wanted, placed};
@@ -14,7 +15,8 @@ use crate::pose::Pose;
 use crate::shape::Number;
 use crate::supports::Standing;
 use crate::triad::triad;
-use crate::vector::between;
+use crate::vector::Vector;
+use crate::wanted::wanted;
 use mstmm_core::Whirl;
 use std::fmt;
 use svg::Node;
@@ -43,12 +45,14 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
         picture.add_supports(drawing);
         picture.add_mode(drawing);
     }
-    let labels = placed(wanted(drawing, diagrams), &picture.inks);
+    let loads = picture.add_loads(drawing);
+    let labels = placed(wanted(drawing, diagrams, loads), &picture.inks);
     picture.groups.push(group_of_labels(&labels));
     let (mut low, mut high) = bounds(picture.inks.iter().chain(&picture.later), &labels);
     if drawing.figure.scene.is_some() {
         picture.groups.push(triad(&drawing.figure.sight, (&mut low, &mut high), (&picture, &labels)));
     }
+    picture.add_captions(drawing, (&mut low, &mut high));
     let [width, height] = [0, 1].map(|axis| (high[axis] - low[axis]).ceil());
     let mut svg = element("svg", "mstmm");
     svg.assign("xmlns", "http://www.w3.org/2000/svg");
@@ -56,7 +60,8 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     svg.assign("width", width);
     svg.assign("height", height);
     svg.assign("role", "img");
-    svg.assign("aria-label", if drawing.motion.is_some() { "a model in motion" } else { "a model" });
+    let about = if drawing.motion.is_some() { "a model in motion" } else { "a model" };
+    svg.assign("aria-label", drawing.title.as_deref().unwrap_or(about));
     svg.assign("data-scale", drawing.figure.scale);
     svg.assign("data-origin", pair(drawing.figure.origin));
     if let Some(scene) = &drawing.figure.scene {
@@ -69,6 +74,7 @@ fn picture<M>(drawing: &Drawing<M>) -> Element {
     if let Some((force, _, scale)) = &drawing.force {
         svg.assign("data-force", force.name());
         svg.assign("data-force-scale", of_motion(*scale));
+        svg.assign("data-force-unit", drawing.units.of(*force));
     }
     let mut style = Element::new("style");
     style.append(Text::new(include_str!("style.css")));
@@ -98,6 +104,36 @@ impl Picture {
         }
     }
 
+    /// The arrows of loads; their labels.
+    fn add_loads<M>(&mut self, drawing: &Drawing<M>) -> Vec<Wanted> {
+        let mut labels = Vec::new();
+        let mut all = element("g", "loads");
+        for load in shown(&drawing.figure, &drawing.loads, &drawing.units) {
+            let mut group = element("g", "load");
+            if let Some(label) = &load.label {
+                group.assign("data-name", label.title.clone());
+            }
+            self.draw(&mut group, load.inks);
+            all.append(group);
+            labels.extend(load.label);
+        }
+        if !drawing.loads.is_empty() {
+            self.groups.push(all);
+        }
+        labels
+    }
+
+    /// A title above the picture, and the unit of a diagram below it.
+    fn add_captions<M>(&mut self, drawing: &Drawing<M>, (low, high): (&mut Vector, &mut Vector)) {
+        if let Some(text) = &drawing.title {
+            self.groups.push(title(text, (low, high)));
+        }
+        if let Some((force, ..)) = drawing.force {
+            let free = if drawing.is_of_mode { ", of a mode, whose size is free" } else { "" };
+            self.groups.push(below(&format!("{} [{}]{free}", force.name(), drawing.units.of(force)), (low, high)));
+        }
+    }
+
     fn add_supports<M>(&mut self, drawing: &Drawing<M>) {
         let mut all = element("g", "supports");
         for support in &drawing.figure.supports {
@@ -117,22 +153,22 @@ impl Picture {
         let mut all = element("g", if drawing.motion.is_some() { "model rest" } else { "model" });
         let (below, above): (Vec<usize>, Vec<usize>) =
             order(drawing).into_iter().partition(|index| rank(drawing.figure.parts[*index].kind) < 2);
-        let mut draw = |index: usize| {
+        let draw = |picture: &mut Picture, index: usize| {
             let part = &drawing.figure.parts[index];
             let mut group = group(&part.name, part.word);
-            self.draw(&mut group, rest.inks(&drawing.figure, index));
+            picture.draw(&mut group, rest.inks(&drawing.figure, index));
             group
         };
-        below.into_iter().for_each(|index| all.append(draw(index)));
+        below.into_iter().for_each(|index| all.append(draw(self, index)));
         for anchor in &drawing.figure.anchors {
             if let Some(name) = &anchor.name {
                 let mut group = group(name, "point");
                 group.assign("data-at", pair(anchor.at));
-                group.append(path(Pen::Dot.class(), &Outline::Disc(anchor.at, POINT)));
+                self.draw(&mut group, vec![Ink::new(Pen::Dot, Outline::Disc(anchor.at, POINT))]);
                 all.append(group);
             }
         }
-        above.into_iter().for_each(|index| all.append(draw(index)));
+        above.into_iter().for_each(|index| all.append(draw(self, index)));
         self.groups.push(all);
     }
 
@@ -186,31 +222,4 @@ pub(crate) fn rank(kind: Kind) -> u8 {
         kind if kind.is_at_a_point() && kind != Kind::Tie => 2,
         _ => 0,
     }
-}
-
-/// The labels of points, parts and largest values, each once.
-fn wanted<M>(drawing: &Drawing<M>, diagrams: &[Diagram]) -> Vec<Wanted> {
-    let figure = &drawing.figure;
-    let mut wanted: Vec<Wanted> = Vec::new();
-    let mut add = |name: &str, class, at| {
-        if let Some(text) = label_of(name).filter(|_| !name.starts_with("link of") && !name.starts_with("ground of")) {
-            let label = Wanted { text: text.to_owned(), class, title: name.to_owned(), at };
-            let is_new = wanted.iter().all(|known| known.title != label.title);
-            wanted.extend(Some(label).filter(|_| is_new));
-        }
-    };
-    for anchor in figure.anchors.iter().filter(|_| drawing.is_labelled) {
-        add(anchor.name.as_deref().unwrap_or_default(), "point", anchor.at);
-    }
-    for part in figure.parts.iter().filter(|part| drawing.is_labelled && part.kind != Kind::Tie) {
-        let [from, to] = [part.ends[0], part.ends[part.ends.len() - 1]].map(|end| figure.anchors[end].at);
-        let is_joint = part.kind.is_joint() && from == to;
-        add(
-            &part.name,
-            if is_joint { "joint" } else { "element" },
-            if part.kind.is_body() { to } else { between(from, to, 0.5) },
-        );
-    }
-    wanted.extend(diagrams.iter().filter_map(|diagram| diagram.label.clone()));
-    wanted
 }

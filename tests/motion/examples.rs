@@ -137,12 +137,12 @@ fn root_of_cantilever(number: u32) -> f64 {
 fn the_spindle_gives_way_as_much_as_its_parts() {
     let spindle = spindle::heavy();
     let (a, b) = (spindle.overhang, spindle.span);
-    let area = 0.25 * PI * (spindle.diameter.powi(2) - spindle.bore.powi(2));
-    let ei = 2.1e11 * PI / 64.0 * (spindle.diameter.powi(4) - spindle.bore.powi(4));
-    let ga = 0.6 * 8.1e10 * area;
+    let of_tube = |diameter: f64, power: i32| diameter.powi(power) - spindle.bore.powi(power);
+    let [(ei, ga), (ei_of_nose, ga_of_nose)] = [spindle.diameter, spindle.nose]
+        .map(|diameter| (2.1e11 * PI / 64.0 * of_tube(diameter, 4), 0.6 * 8.1e10 * 0.25 * PI * of_tube(diameter, 2)));
     let bearings = (a / b).powi(2) / spindle.rear + (1.0 + a / b).powi(2) / spindle.front;
-    let bending = a * a * (a + b) / (3.0 * ei);
-    let shear = (a + a * a / b) / ga;
+    let bending = a * a * (a / ei_of_nose + b / ei) / 3.0;
+    let shear = a / ga_of_nose + a * a / b / ga;
     assert_close(spindle::flexibility(&spindle).unwrap(), bearings + bending + shear, 1e-12);
     let slender = spindle::Spindle { shear: 0.0, ..spindle };
     assert_close(spindle::flexibility(&slender).unwrap(), bearings + bending, 1e-12);

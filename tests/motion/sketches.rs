@@ -38,7 +38,7 @@ fn steps<Y: DrawnTree>(tree: &Y) -> Vec<Told> {
 #[test]
 fn a_tree_tells_its_names_lengths_and_arms() {
     let bending = Freedoms::Y.union(Freedoms::RZ);
-    let beam = Some(("Beam", Extent { output: [1.25, 0.0], ..Extent::default() }));
+    let beam = Some(("Beam", Extent { output: [1.25, 0.0], bending_stiffness: 2e4, ..Extent::default() }));
     let body = Some(("Body", Extent { output: [0.5, 0.0], centre: Some([-0.125, 0.0]), ..Extent::default() }));
     let spring = Some(("Spring", Extent { output: [0.0, 0.0], ..Extent::default() }));
     let expected: [Told; 8] = [

@@ -66,7 +66,7 @@ const checks = (() => {
   async function everyEnd() {
     const faults = new Set();
     let [looks, texts] = [0, 0];
-    for (const slider of document.querySelectorAll("#fields input")) {
+    for (const slider of document.querySelectorAll("#fields input[type=range]")) {
       const start = slider.value;
       for (const value of [slider.min, slider.max, start]) {
         slider.value = value;
@@ -82,5 +82,5 @@ const checks = (() => {
     return { faults: [...faults], looks, texts };
   }
 
-  return { begin, end, everyEnd };
+  return { begin, end, everyEnd, faultsNow };
 })();

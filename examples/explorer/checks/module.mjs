@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { cpuUsage } from "node:process";
 import { runInThisContext } from "node:vm";
 
-runInThisContext(readFileSync(new URL("../page/engine.js", import.meta.url), "utf8"));
+for (const script of ["engine.js", "response.js"]) runInThisContext(readFileSync(new URL(`../page/${script}`, import.meta.url), "utf8"));
 const [module, values, asked, frames] = process.argv.slice(2);
 const lines = readFileSync(values, "utf8").trim().split("\n").map((line) => JSON.parse(line));
 
@@ -60,6 +60,32 @@ function* places(sliders, count) {
   for (let k = 0; k < count; k++) yield sliders.map(({ min, max, step }) => min + Math.round((next() * (max - min)) / step) * step);
 }
 
+/** Curves between samples: of every other sample the page's curve meets the others, beside poles too. */
+function checkCurves(engine) {
+  engine.models.forEach(({ name, sliders }, model) => {
+    const worst = { own: 0, bare: 0 };
+    for (const values of [sliders.map(({ start }) => start), ...places(sliders, 60)]) {
+      const answer = engine.show(model, values);
+      if (answer.problem) throw new Error(answer.problem);
+      for (const [key, samples, poles] of [["own", answer.response, answer.poles], ["bare", answer.bare, answer.barePoles]]) {
+        if (samples.length === 0) continue;
+        const whole = new ResponseCurve(samples, poles);
+        const half = new ResponseCurve(samples.filter(({ omega }, k) => k % 2 === 0 || omega === samples.at(-1).omega), poles);
+        const static_ = whole.size(whole.range()[0]);
+        for (const omega of whole.omegas) {
+          const [exact, found] = [whole.size(omega), half.size(omega)];
+          // a pixel of the picture is some hundredth of a decade
+          const error = Math.abs(found - exact) / (exact + 0.01 * static_);
+          worst[key] = Math.max(worst[key], error);
+        }
+      }
+    }
+    console.log(`${name}: from half of its samples the curve differs by ${worst.own.toExponential(1)} at most from the others,`
+      + ` the dashed one by ${worst.bare.toExponential(1)}`);
+    if (!(worst.own < 2e-2 && worst.bare < 2e-2)) throw new Error("the curve is not that of its samples");
+  });
+}
+
 function measure(engine) {
   engine.models.forEach(({ name, sliders }, model) => {
     const [times, problems] = [[], []];
@@ -80,4 +106,5 @@ const engine = await startEngine(readFileSync(module));
 checkAgainstMachine(engine);
 checkAgainstReference(engine);
 writeRoots(engine);
+checkCurves(engine);
 measure(engine);

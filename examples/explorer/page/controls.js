@@ -26,28 +26,43 @@ class Choice {
   }
 }
 
-/** Makes a slider of each field; `onChange(index, value)` hears where one goes. */
+/** The decimals that a step has. */
+const decimalsOf = (step) => Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+
+/** Makes a slider of each field, with a box in which its value is typed; `onChange(index, value)` hears where one goes. */
 function makeSliders(host, sliders, values, onChange) {
   host.replaceChildren(...sliders.map((slider, index) => {
     const { label, unit, min, max, step } = slider;
     const id = `field-${index}`;
-    const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
     const input = Object.assign(document.createElement("input"), { type: "range", id, min, max, step });
-    const output = Object.assign(document.createElement("output"), { htmlFor: id, ariaLive: "off" });
-    const tell = () => {
-      const text = `${input.valueAsNumber.toFixed(decimals)} ${unit}`;
-      output.textContent = text;
-      input.setAttribute("aria-valuetext", text);
+    const box = Object.assign(document.createElement("input"), { type: "number", min, max, step: "any", ariaLabel: `${label} [${unit}]` });
+    // a typed value may have more digits than the steps of the slider
+    const tell = (value) => {
+      const text = +value.toFixed(decimalsOf(step)) === value ? value.toFixed(decimalsOf(step)) : String(value);
+      box.value = text;
+      input.setAttribute("aria-valuetext", `${text} ${unit}`);
     };
-    input.value = values[index];
-    tell();
-    input.addEventListener("input", () => {
-      tell();
-      onChange(index, input.valueAsNumber);
+    let own = values[index];
+    const take = (value) => {
+      own = value;
+      tell(value);
+      onChange(index, value);
+    };
+    input.value = own;
+    tell(own);
+    input.addEventListener("input", () => take(input.valueAsNumber));
+    box.addEventListener("change", () => {
+      const typed = box.valueAsNumber;
+      if (!Number.isFinite(typed)) return tell(own);
+      const value = Math.min(Math.max(typed, min), max);
+      input.value = value;
+      take(value);
     });
     const name = element("label", [label]);
     name.htmlFor = id;
-    const field = element("div", [name, output, input]);
+    const value = element("span", [box, ` ${unit}`]);
+    value.className = "value";
+    const field = element("div", [name, value, input]);
     field.className = "field";
     return field;
   }));

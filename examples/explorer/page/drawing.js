@@ -47,10 +47,18 @@ class Drawing {
       const beams = this.parts.filter(({ kind }) => this.kinds[kind] === "beam");
       const all = (places) => beams.map((part) => pathThrough(of(part, places))).join("");
       this.canvas.keep("rest", "path", { class: "rest", d: all(rest) });
+      this.parts.forEach((part, k) => {
+        if (this.kinds[part.kind] === "mass") restOfMass(this.canvas, `rest${k}`, rest[part.first]);
+      });
       if (extremes) this.canvas.keep("later", "path", { class: "turned", d: all(later) });
       this.parts.forEach((part, k) => PARTS[this.kinds[part.kind]](this.canvas, k, of(part, now)));
     });
   }
+}
+
+/** Where a mass is at rest, pale below its motion. */
+function restOfMass(canvas, key, [x, y]) {
+  canvas.keep(key, "rect", { class: "rest", x: (x - 20).toFixed(1), y: (y - 11).toFixed(1), width: 40, height: 22, rx: 4 });
 }
 
 /** How each kind of part is drawn through its points. */

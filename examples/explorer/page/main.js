@@ -22,23 +22,34 @@ async function start() {
   const drawing = new Drawing(part("motion"), engine.kinds);
   const response = new ResponseChart(part("response"));
   const roots = new RootsChart(part("roots"), engine);
-  const models = new Choice(part("models"), choose);
-  const modes = new Choice(part("modes"), (mode) => Object.assign(state, { mode, isNew: true }));
+  const models = new Choice(part("models"), (model) => choose({ model }));
+  const modes = new Choice(part("modes"), (mode) => {
+    Object.assign(state, { mode, isNew: true });
+    remember();
+  });
   for (const { canvas } of [drawing, response.chart, roots.chart]) canvas.onResize = () => (state.isNew = true);
 
   /** How many milliseconds the last answers took. */
   const took = [];
 
-  function choose(model) {
+  /** Writes what is shown into the address, a little later: browsers refuse to do it many times a second. */
+  function remember() {
+    clearTimeout(state.remembers);
+    state.remembers = setTimeout(() => history.replaceState(null, "", addressOf(engine.models, state)), 250);
+  }
+
+  function choose({ model, values = engine.models[model].sliders.map(({ start }) => start), mode = 0 }) {
     const { sliders, about } = engine.models[model];
-    Object.assign(state, { model, values: sliders.map(({ start }) => start), mode: 0, active: 0, isNew: true, tabled: 0, warm: WARM });
+    Object.assign(state, { model, values, mode, active: 0, isNew: true, tabled: 0, warm: WARM });
     took.length = 0;
     models.show(engine.models.map(({ name }) => name), model);
     part("about").textContent = about;
     makeSliders(part("fields"), sliders, state.values, (index, value) => {
       state.values[index] = value;
       Object.assign(state, { active: index, isNew: true });
+      remember();
     });
+    remember();
   }
 
   function show() {
@@ -91,10 +102,18 @@ async function start() {
     part("play").textContent = plays ? "Pause" : "Play";
   }
   part("play").addEventListener("click", () => play(!state.plays));
-  part("reset").addEventListener("click", () => choose(state.model));
+  part("reset").addEventListener("click", () => choose({ model: state.model }));
+  part("copy").addEventListener("click", () => {
+    history.replaceState(null, "", addressOf(engine.models, state));
+    navigator.clipboard?.writeText(location.href).then(() => (part("status").textContent = "Link copied."), () => {});
+  });
+  addEventListener("hashchange", () => {
+    const asked = stateOf(engine.models, location.hash);
+    if (asked && location.hash !== addressOf(engine.models, state)) choose(asked);
+  });
   still.addEventListener("change", () => play(!still.matches));
 
-  choose(0);
+  choose(stateOf(engine.models, location.hash) ?? { model: 0 });
   play(state.plays);
   requestAnimationFrame(frame);
 }

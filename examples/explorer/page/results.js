@@ -38,7 +38,7 @@ function showResults(section, { frequencies, eigenvalues }) {
       named(im, multiplicity), `${readable(100 * ratio, 4)} %`, [`${re.toFixed(13).replace("-", "−")} `, element("span", [`+ ${im.toFixed(13)} i`])],
       readable(error, 2),
     ]);
-    tables.push(table("Eigenvalues", "Each lies in the disc of that radius about λ: the argument of Δ turns once around it.",
+    tables.push(table("Eigenvalues", "The eigenvalue is no farther from λ than the radius says, and no other one is in that circle: they are counted along its edge.",
       ["f [Hz]", "damping", "λ [1/s]", "radius"], rows));
   }
   const rows = frequencies.map(({ omega, lower, upper, multiplicity }) => {

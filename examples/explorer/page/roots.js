@@ -46,8 +46,14 @@ class RootsChart {
     const axes = {
       x: rooted([reMin, reMax]),
       y: linear([imMin, imMax]),
-      xLabel: "Re λ [1/s]",
+      xLabel: "Re λ [1/s], square-root scale",
       yLabel: "Im λ [rad/s]",
+      told: (at, chart) => {
+        const near = chart.nearest(at, eigenvalues.map(({ re, im }) => [re, im]));
+        if (near === undefined) return undefined;
+        const { re, im, ratio } = eigenvalues[near];
+        return { at: [re, im], text: `${readable(re, 4)} + ${readable(im, 5)} i, ${readable(100 * ratio)} %` };
+      },
       about: `Eigenvalues in the complex plane: ${eigenvalues.map(({ re, im }) => `${readable(re)} + ${readable(im)} i`).join(", ")}`,
     };
     this.chart.draw(axes, () => {
@@ -84,6 +90,13 @@ class RootsChart {
       y: linear([0, 1.05 * highest]),
       xLabel: `${slider.label} [${slider.unit}]`,
       yLabel: "f [Hz]",
+      told: (at, chart) => {
+        const all = this.way.flatMap(({ value, frequencies }) => frequencies.map((root, k) => [value, hertz(root), k]));
+        const near = chart.nearest(at, all);
+        if (near === undefined) return undefined;
+        const [value, f, k] = all[near];
+        return { at: [value, f], text: `${readable(value)} ${slider.unit}: f${k + 1} = ${readable(f, 5)} Hz` };
+      },
       about: `Natural frequencies against ${slider.label}`,
     };
     this.chart.draw(axes, () => {

@@ -61,6 +61,7 @@ function roundNumbers([from, to], count) {
 
 /** A number with a few digits, and a minus sign that is one. */
 function readable(number, digits = 3) {
+  if (number === Infinity) return "∞";
   const text = Math.abs(number) >= 1e4 || (number !== 0 && Math.abs(number) < 1e-3)
     ? number.toExponential(digits - 1).replace("e+", "e")
     : String(+number.toPrecision(digits));

@@ -195,9 +195,12 @@ impl Explored for Bridge {
         shown.take_frequencies(&self.undamped().build()?.first_frequencies::<MODES>()?)?;
         self.draw(shown)?;
         roots.iter().try_for_each(|root| self.show_shape(&system, root, shown))?;
+        Shown::take_poles(&shown.poles, roots.iter().map(|root| (root.lambda, root.multiplicity)))?;
         self.each_response(&system, &roots, |row| shown.response.push(row))?;
 
         let bare = Bridge { mass: 0.0, ..*self }.build()?;
-        self.each_response(&bare, &bare.eigenvalues::<EIGENVALUES>(self.region(SEARCHED))?, |row| shown.bare.push(row))
+        let poles = bare.eigenvalues::<EIGENVALUES>(self.region(SEARCHED))?;
+        Shown::take_poles(&shown.bare_poles, poles.iter().map(|pole| (pole.lambda, pole.multiplicity)))?;
+        self.each_response(&bare, &poles, |row| shown.bare.push(row))
     }
 }

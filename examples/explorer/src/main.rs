@@ -17,7 +17,7 @@ macro_rules! files {
 
 const PAGE: &str = include_str!("../page/page.html");
 
-const FILES: [(&str, &str); 10] = files![
+const FILES: [(&str, &str); 11] = files![
     "style.css",
     "engine.js",
     "svg.js",
@@ -27,6 +27,7 @@ const FILES: [(&str, &str); 10] = files![
     "roots.js",
     "results.js",
     "controls.js",
+    "state.js",
     "main.js",
 ];
 

@@ -85,13 +85,20 @@ impl Portal {
         (0..2).try_for_each(|_| shown.moved(Complex::default(), Complex::default()))
     }
 
-    /// The response at the machine from rest to a little beyond the last root, with samples that are denser near the roots, where it is
-    /// infinite: while roots move, samples move with them.
-    fn show_response(system: &PortalSystem, roots: &[NaturalFrequency], shown: &Shown) -> Result<(), Problem> {
+    /// The response at the machine from rest to a little beyond the last root, but not to the next one, with samples that are denser near the roots,
+    /// where it is infinite: while roots move, samples move with them.
+    fn show_response(
+        system: &PortalSystem,
+        (roots, next): (&[NaturalFrequency], &[NaturalFrequency]),
+        shown: &Shown,
+    ) -> Result<(), Problem> {
+        let pole = |root: &NaturalFrequency| (Complex::new(0.0, root.omega), root.multiplicity);
+        Shown::take_poles(&shown.poles, roots.iter().chain(next).map(pole))?;
         let machine = Portal::conn_machine;
         let response = system.frequency_response(machine.force_y(), machine.displacement_y())?;
         let mut from = 0.0;
-        let last = roots.last().map_or(0.0, |root| 1.1 * root.omega);
+        let last = roots.last().map_or(0.0, |root| root.omega);
+        let last = next.first().map_or(1.1 * last, |next| (1.1 * last).min(0.5 * (last + next.omega)));
         for to in roots.iter().map(|root| root.omega).chain(once(last)) {
             let pieces = (PIECES[0] + PIECES[1] * (to - from) / last) as u32;
             for k in 0..=pieces {
@@ -164,11 +171,13 @@ impl Explored for Portal {
 
     fn show(&self, shown: &Shown) -> Result<(), Problem> {
         let system = self.build()?;
-        let roots = system.first_frequencies::<MODES>()?;
-        shown.take_frequencies(&roots)?;
+        // the response has the pole beyond those that are shown, too
+        let roots = system.first_frequencies::<{ MODES + 1 }>()?;
+        let (roots, next) = roots.split_at(MODES.min(roots.len()));
+        shown.take_frequencies(roots)?;
         self.draw(shown)?;
         roots.iter().try_for_each(|root| self.show_shape(&system, root, shown))?;
 
-        Portal::show_response(&system, &roots, shown)
+        Portal::show_response(&system, (roots, next), shown)
     }
 }

@@ -25,6 +25,10 @@ pub struct Shown {
     pub response: Table<6144>,
     /// The response of the same system without what the sliders are about.
     pub bare: Table<6144>,
+    /// The poles of the first response near its frequencies, each as often as it is one [1/s].
+    pub poles: Table<32>,
+    /// Those of the second one.
+    pub bare_poles: Table<32>,
 }
 
 /// A table's name, its columns, and the table.
@@ -66,11 +70,13 @@ impl Shown {
             plane: Table::new(),
             response: Table::new(),
             bare: Table::new(),
+            poles: Table::new(),
+            bare_poles: Table::new(),
         }
     }
 
     /// All tables.
-    pub fn tables(&self) -> [Named<'_>; 8] {
+    pub fn tables(&self) -> [Named<'_>; 10] {
         let response: &[&str] = &["omega", "re", "im"];
         [
             ("parts", &["kind", "first", "count"], &self.parts),
@@ -81,6 +87,8 @@ impl Shown {
             ("plane", &["reMin", "reMax", "imMin", "imMax"], &self.plane),
             ("response", response, &self.response),
             ("bare", response, &self.bare),
+            ("poles", &["re", "im"], &self.poles),
+            ("barePoles", &["re", "im"], &self.bare_poles),
         ]
     }
 
@@ -108,6 +116,15 @@ impl Shown {
             let Complex { re, im } = root.lambda;
             self.eigenvalues.push(&[re, im, root.error, root.multiplicity as f64, root.damping_ratio()])
         })
+    }
+
+    /// Takes the poles of a response into a table of them.
+    ///
+    /// # Errors
+    /// [`Problem::Full`] for too many.
+    pub fn take_poles(table: &Table<32>, found: impl IntoIterator<Item = (Complex<f64>, u64)>) -> Result<(), Problem> {
+        let often = found.into_iter().flat_map(|(pole, multiplicity)| (0..multiplicity).map(move |_| pole));
+        often.map(|pole| [pole.re, pole.im]).try_for_each(|row| table.push(&row))
     }
 
     /// Takes a part of the complex plane.

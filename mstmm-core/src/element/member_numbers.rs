@@ -212,6 +212,18 @@ impl MemberNumbers {
         if freedom < 3 { MemberNumbers::Line(freedom, numbers) } else { MemberNumbers::Other }
     }
 
+    /// The bending stiffness of a beam, of a tapered one at its input end; zero of all else.
+    pub(crate) fn bending_stiffness(&self) -> f64 {
+        match self {
+            MemberNumbers::Beam(beam)
+            | MemberNumbers::SpinningBeam(beam, _)
+            | MemberNumbers::DampedBeam(beam, _)
+            | MemberNumbers::DampedSpinningBeam(beam, ..) => beam.bending_stiffness[0],
+            MemberNumbers::Tapered(beam) => beam.bending_stiffness[0],
+            _ => 0.0,
+        }
+    }
+
     /// A beam, and its spin if it has one.
     pub(crate) fn spun_beam(&self) -> Option<(&BeamNumbers, &SpinNumbers)> {
         match self {

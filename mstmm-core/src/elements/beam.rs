@@ -103,7 +103,8 @@ impl<T: Parameter> Element for Beam<T> {
     }
 
     fn extent(built: &BuiltBeam<T>) -> Extent {
-        Extent::along(built.parameters.length.to_f64())
+        let Beam { length, bending_stiffness, .. } = built.parameters;
+        Extent::along(length.to_f64()).of_stiffness(bending_stiffness.to_f64())
     }
 
     fn member_numbers(built: &BuiltBeam<T>) -> MemberNumbers {

@@ -98,7 +98,8 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
     }
 
     fn extent(&self) -> Extent {
-        Extent::along(self.parameters.length.to_f64())
+        let BeamParameters { length, bending_stiffness, .. } = self.parameters;
+        Extent::along(length.to_f64()).of_stiffness(bending_stiffness.to_f64())
     }
 
     /// The extent of a shaft: a solid one has `ρI = ρA r²/4`.

@@ -133,7 +133,8 @@ impl<T: Parameter> Element for TaperedBeam<T> {
     }
 
     fn extent(built: &BuiltTaperedBeam<T>) -> Extent {
-        Extent::along(built.parameters.length.to_f64())
+        let [length, stiffness] = [built.parameters.length, built.parameters.bending_stiffness].map(T::to_f64);
+        Extent::along(length).of_stiffness(stiffness)
     }
 
     fn member_numbers(built: &BuiltTaperedBeam<T>) -> MemberNumbers {

@@ -5,7 +5,9 @@ use crate::frame::dimension::Dimension;
 use crate::frame::point::InFrame;
 use crate::frame::structure::Framework;
 use crate::model::{Handle, MemberLabel, PlanePoint, Spot, Tied};
-use crate::pass::network::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Placed, together};
+use crate::pass::network::{
+    Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport, Placed, stiffest, together,
+};
 use mstmm_plan::Freedoms;
 
 impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> {
@@ -38,8 +40,9 @@ impl<D: Dimension, E: MemberElement<Parameter = f64>> Drawn for Framework<D, E> 
             DrawnMember {
                 name: Spot::Member(index),
                 kind: self.network.kinds()[parts.start],
-                freedoms: together(self, parts, |part| part.freedoms),
+                freedoms: together(self, parts.clone(), |part| part.freedoms),
                 axes: placement.drawn_axes(),
+                bending_stiffness: stiffest(self.numbers(), parts),
                 ends,
                 label,
             }

@@ -13,6 +13,7 @@ pub(crate) mod extent;
 mod in_frame;
 pub(crate) mod label;
 pub(crate) mod load_error;
+mod load_place;
 pub(crate) mod member_plane;
 pub(crate) mod motion_error;
 pub(crate) mod peak_error;

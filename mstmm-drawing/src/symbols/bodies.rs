@@ -4,6 +4,10 @@ use crate::ink::{Ink, Pen};
 use crate::outline::Outline;
 use crate::vector::{Vector, direction, plus, turned};
 
+/// Half of the width of a body around one point, within its edge, and half of the side of a block.
+pub(crate) const BORDER: f64 = 9.0;
+pub(crate) const HALF: f64 = 11.0;
+
 /// A rigid body around the points that it ties, with its mass centre, the last of its ends.
 pub(super) fn body(rest: &[Vector], ends: &[Vector]) -> Vec<Ink> {
     let hull: Vec<Vector> = hull(rest).into_iter().map(|end| ends[end]).collect();
@@ -18,7 +22,7 @@ pub(super) fn body(rest: &[Vector], ends: &[Vector]) -> Vec<Ink> {
 }
 
 /// The corners of the convex hull of points, by their indices; of points in a line both ends.
-fn hull(points: &[Vector]) -> Vec<usize> {
+pub(crate) fn hull(points: &[Vector]) -> Vec<usize> {
     let mut sorted: Vec<usize> = (0..points.len()).collect();
     sorted.sort_by(|a, b| points[*a][0].total_cmp(&points[*b][0]).then(points[*a][1].total_cmp(&points[*b][1])));
     let turns_left = |a: usize, b: usize, c: usize| {
@@ -43,8 +47,7 @@ fn hull(points: &[Vector]) -> Vec<usize> {
 
 /// A mass of a path.
 pub(super) fn block([x, y]: Vector) -> Ink {
-    let half = 11.0;
-    let corners = [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[a, b]| [x + a, y + b]);
+    let corners = [[-HALF, -HALF], [HALF, -HALF], [HALF, HALF], [-HALF, HALF]].map(|[a, b]| [x + a, y + b]);
     Ink::new(Pen::Area, Outline::Area(corners.into()))
 }
 

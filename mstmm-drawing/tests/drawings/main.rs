@@ -7,6 +7,7 @@ mod forces;
 mod frames;
 mod gallery;
 mod labels;
+mod loads;
 mod modes;
 mod pictures;
 mod places;
@@ -18,6 +19,7 @@ mod space_sketch;
 mod space_views;
 mod supports;
 mod trees;
+mod widths;
 
 #[path = "../../../examples/double_beam.rs"]
 mod double_beam;

@@ -16,8 +16,9 @@ pub(crate) struct Shown {
     pub(crate) kind: String,
     /// The corners of each of its paths; of a disc its middle.
     pub(crate) paths: Vec<Vec<[f64; 2]>>,
-    /// The class of each of its paths.
+    /// The class of each of its paths, and its width where it has one of its own.
     pub(crate) classes: Vec<String>,
+    pub(crate) widths: Vec<Option<f64>>,
     /// Where a point or a support stands.
     pub(crate) at: Option<[f64; 2]>,
     /// The way from a support to the ground.
@@ -67,7 +68,9 @@ impl Picture {
     /// All labels.
     pub(crate) fn labels(&self) -> Vec<Label> {
         self.read(|root| {
-            let texts = root.descendants().filter(|node| node.has_tag_name("text"));
+            let is_label =
+                |text: &Node<'_, '_>| text.has_tag_name("text") && text.children().any(|own| own.has_tag_name("title"));
+            let texts = root.descendants().filter(is_label);
             texts
                 .map(|text| Label {
                     text: text.text().unwrap().trim().to_owned(),
@@ -76,6 +79,34 @@ impl Picture {
                     at: ["x", "y"].map(|name| text.attribute(name).unwrap().parse().unwrap()),
                 })
                 .collect()
+        })
+    }
+
+    /// The paths of each load.
+    pub(crate) fn loads(&self) -> Vec<Vec<Corners>> {
+        self.read(|root| {
+            let loads =
+                root.descendants().filter(|node| node.has_tag_name("g") && node.attribute("class") == Some("load"));
+            let paths =
+                |load: Node<'_, '_>| load.children().filter_map(|path| path.attribute("d").map(points)).collect();
+            loads.map(paths).collect()
+        })
+    }
+
+    /// What is written above and below the picture, and where.
+    pub(crate) fn captions(&self) -> Vec<(String, [f64; 2])> {
+        self.read(|root| {
+            let captions = root.descendants().filter(|node| matches!(node.attribute("class"), Some("title" | "unit")));
+            let at = |text: Node<'_, '_>| ["x", "y"].map(|name| text.attribute(name).unwrap().parse().unwrap());
+            captions.map(|text| (text.text().unwrap().trim_end_matches('\n').to_owned(), at(text))).collect()
+        })
+    }
+
+    /// The lines that lead to labels, each from what the label names.
+    pub(crate) fn leaders(&self) -> Vec<[[f64; 2]; 2]> {
+        self.read(|root| {
+            let paths = root.descendants().filter(|node| node.attribute("class") == Some("leader"));
+            paths.map(|path| points(path.attribute("d").unwrap()).try_into().unwrap()).collect()
         })
     }
 
@@ -133,9 +164,15 @@ fn shown(group: Node<'_, '_>) -> Shown {
             .filter(|child| child.has_tag_name("path"))
             .map(|path| path.attribute("class").unwrap().to_owned())
             .collect(),
+        widths: group.children().filter(|child| child.has_tag_name("path")).map(width).collect(),
         at: group.attribute("data-at").map(pair),
         ground: group.attribute("data-ground").map(pair),
     }
+}
+
+/// The width that a path has by its own style.
+fn width(path: Node<'_, '_>) -> Option<f64> {
+    path.attribute("style").map(|style| style.strip_prefix("stroke-width:").unwrap().parse().unwrap())
 }
 
 /// Two numbers.

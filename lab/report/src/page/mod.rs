@@ -25,11 +25,11 @@ pub fn page(measurements: &Measurements) -> Result<String, ReportError> {
     let Measurements { runs, tables, counts, landscapes, systems, shapes, frames, storeys, portal, .. } = measurements;
     let dark = format!("@media (prefers-color-scheme: dark) {{ {} }}", dark_rules());
     let sections = [
+        ("frames", "A portal frame beside finite elements", frames::section(frames, storeys, portal)?),
         ("systems", "What is solved", drawings::systems(systems)),
         ("proof", "A list with its proof", proof::section(counts)?),
         ("summary", "How much faster", summary::section(runs)?),
         ("error-time", "Error against run time", figures::error_time(runs)?),
-        ("frames", "Frames beside finite elements", frames::section(frames, storeys, portal)?),
         ("landscapes", "|Δ| and its roots", figures::landscapes(landscapes)?),
         ("shapes", "Mode shapes", drawings::shapes(shapes)),
         ("digits", "Digits kept", figures::digits(measurements)?),

@@ -1,6 +1,6 @@
 //! What is drawn of a network: points, members, bodies and supports, each with its name and its coordinates.
 
-use crate::element::MemberElement;
+use crate::element::{MemberElement, MemberNumbers};
 use crate::model::{MemberEnd, MemberLabel, MemberPlane, PlanePoint, Skew, Spot, plain};
 use crate::number::{Parameter, Real};
 use crate::pass::network::memory::Memory;
@@ -9,6 +9,7 @@ use crate::pass::network::placed_node::PlacedNode;
 use crate::pass::network::placement::Placement;
 use crate::pass::network::sketch::{NetworkSketch, Seat, SketchedEnd};
 use crate::pass::network::structure::{InNetwork, Network};
+use core::ops::Range;
 use mstmm_plan::Freedoms;
 
 /// A network of which a [`Sketch`](crate::Sketch) tells what is where.
@@ -54,6 +55,9 @@ pub struct DrawnMember<M, T> {
     pub freedoms: Freedoms,
     /// Its own axes x, y and z, of length 1 each; none of what acts along one axis of space alone, and where there is no direction.
     pub axes: Option<[[T; 3]; 3]>,
+    /// Its bending stiffness EI [N m²], as far as it is known in numbers: of a tapered beam at its input end, in space the larger one. Zero of what
+    /// does not bend.
+    pub bending_stiffness: f64,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],
     /// The member as motions are asked about it.
@@ -110,7 +114,7 @@ pub struct DrawnSupport<T> {
 }
 
 plain!(DrawnPoint<M, T: Parameter>, name, position, node, freedoms, label);
-plain!(DrawnMember<M, T: Parameter>, name, kind, freedoms, axes, ends, label);
+plain!(DrawnMember<M, T: Parameter>, name, kind, freedoms, axes, bending_stiffness, ends, label);
 plain!(DrawnEnd<M, T: Parameter>, point, position, along, released, node, rests, label);
 
 impl<M, T: Real> DrawnEnd<M, T> {
@@ -128,6 +132,11 @@ impl<M, T: Real> DrawnEnd<M, T> {
             label: if end == 0 { label.input() } else { label.output() },
         }
     }
+}
+
+/// The largest bending stiffness of the parts of a member.
+pub(crate) fn stiffest(numbers: &[MemberNumbers], parts: Range<usize>) -> f64 {
+    numbers.get(parts).into_iter().flatten().map(MemberNumbers::bending_stiffness).fold(0.0, f64::max)
 }
 
 impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
@@ -157,8 +166,9 @@ impl<const NODES: usize, const MEMBERS: usize> NetworkSketch<NODES, MEMBERS> {
                 let released = together(system, parts.clone(), |part| part.released(end));
                 DrawnEnd { released, ..DrawnEnd::of(placement, label, end, point(&member.ends[end])) }
             });
-            let (freedoms, axes) = (together(system, parts, |part| part.freedoms), placement.drawn_axes());
-            Some(DrawnMember { name: Spot::Named(member.name), kind: member.kind?, freedoms, axes, ends, label })
+            let (freedoms, axes) = (together(system, parts.clone(), |part| part.freedoms), placement.drawn_axes());
+            let (name, bending_stiffness) = (Spot::Named(member.name), stiffest(system.numbers(), parts));
+            Some(DrawnMember { name, kind: member.kind?, freedoms, axes, bending_stiffness, ends, label })
         })
     }
 
@@ -201,7 +211,8 @@ impl<E: MemberElement, M: Memory> Drawn for Network<E, M> {
             let (placement, label) = (self.placement(index), MemberLabel::member(index));
             let ends = [0, 1].map(|end| DrawnEnd::of(placement, label, end, Some(placement.node_of(end))));
             let (freedoms, axes) = (placement.freedoms, placement.drawn_axes());
-            DrawnMember { name: Spot::Member(index), kind, freedoms, axes, ends, label }
+            let bending_stiffness = stiffest(self.numbers(), index..index + 1);
+            DrawnMember { name: Spot::Member(index), kind, freedoms, axes, bending_stiffness, ends, label }
         })
     }
 

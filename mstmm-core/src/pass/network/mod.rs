@@ -38,6 +38,8 @@ pub(crate) mod vector;
 mod visit;
 
 pub(crate) use chart_load::{load_on_chart, load_work};
+#[cfg(feature = "std")]
+pub(crate) use drawn::stiffest;
 pub use drawn::{Drawn, DrawnBody, DrawnEnd, DrawnMember, DrawnPoint, DrawnSupport};
 pub use error::NetworkError;
 pub use evaluate::network_pass;
