@@ -16,12 +16,31 @@ mod earthquake;
 #[allow(dead_code, unreachable_pub, reason = "an example of its own")]
 mod tolerances;
 
+use mstmm::Complex;
 use mstmm::prelude::*;
 use mstmm::search::ToleranceBox;
 use mstmm_drawing::{Drawing, Force, ModeDiagram};
 use paper::models;
 use std::error::Error;
+use std::f64::consts::TAU;
 use std::path::Path;
+
+system! {
+    /// The machine on a damped mount of the page on responses.
+    struct Mount { k: f64, c: f64 }
+    fixed -> spring 1 { stiffness: 9e6, damping: 2e3 } -> mass 2 { mass: 300.0 } -> conn floor -> spring 3 { stiffness: k, damping: c } -> mass 4 { mass: 20.0 } -> free;
+}
+
+/// The largest deflection of the floor under a force on the machine, on its curve.
+fn peak() -> Result<ModeDiagram, Box<dyn Error>> {
+    let model = Mount { k: 4e4, c: 60.0 }.build()?;
+    let roots = model.first_eigenvalues::<2>()?;
+    let response = model.frequency_response(Mount::mass_4.output().force(), Mount::conn_floor.deflection())?;
+    let peak = response.peak(1.0..=300.0, &roots, 1e-6)?;
+    let hertz = (1..=1200).map(|k| 0.01 * f64::from(k));
+    let samples = hertz.map(|hertz| Ok([hertz, response.at(Complex::new(0.0, TAU * hertz))?.norm()]));
+    Ok(ModeDiagram::peak(&samples.collect::<Result<Vec<_>, Box<dyn Error>>>()?, &peak)?)
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/pictures");
@@ -57,6 +76,7 @@ pub(crate) fn pictures() -> Result<Vec<(&'static str, String)>, Box<dyn Error>> 
         ("masses", ModeDiagram::masses(&modes, &masses)?.to_string()),
         ("spectrum", ModeDiagram::spectrum(&modes, &spectrum, 0.05)?.to_string()),
         ("ranges", ranges.to_string()),
+        ("peak", peak()?.to_string()),
         ("portal", Drawing::of(&system)?.to_string()),
         ("portal_mode", Drawing::of(&system)?.mode(&first)?.to_string()),
         ("portal_moment", moments.to_string()),

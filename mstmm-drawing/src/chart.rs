@@ -47,18 +47,21 @@ impl Chart {
         for axis in 0..2 {
             let step = step(self.most[axis] / TICKS);
             let count = (self.most[axis] / step * (1.0 + 1e-9)) as usize;
+            let exponent = exponent_of(self.most[axis]);
+            let unit = 10.0_f64.powi(exponent);
             for value in (0..=count).map(|k| k as f64 * step) {
                 let at = self.place(if axis == 0 { [value, 0.0] } else { [0.0, value] });
                 let end = if axis == 0 { [at[0], TOP] } else { [RIGHT, at[1]] };
                 all.append(path("grid", &Outline::line(vec![at, end])));
-                let digits = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
+                let digits = (-(step / unit).log10().floor()).clamp(0.0, 12.0) as usize;
                 let shift = if axis == 0 { [0.0, 16.0] } else { [-8.0, 0.0] };
                 let class = if axis == 0 { "tick" } else { "tick end" };
-                all.append(text(class, [at[0] + shift[0], at[1] + shift[1]], &format!("{value:.digits$}")));
+                all.append(text(class, [at[0] + shift[0], at[1] + shift[1]], &format!("{:.digits$}", value / unit)));
             }
         }
-        all.append(text("name", [0.5 * (LEFT + RIGHT), BOTTOM + 40.0], names[0]));
-        let mut upright = text("name", [0.0; 2], names[1]);
+        let [along, upwards] = [0, 1].map(|axis| name_of(names[axis], exponent_of(self.most[axis])));
+        all.append(text("name", [0.5 * (LEFT + RIGHT), BOTTOM + 40.0], &along));
+        let mut upright = text("name", [0.0; 2], &upwards);
         upright
             .assign("transform", format!("translate({} {}) rotate(-90)", number(18.0), number(0.5 * (TOP + BOTTOM))));
         all.append(upright);
@@ -66,6 +69,16 @@ impl Chart {
         all.append(path("frame", &Outline::line(corners.into())));
         all
     }
+}
+
+/// The power of a thousand, as one of ten, that ticks up to a value leave to the name of their axis: none between a hundredth and a hundred thousand.
+fn exponent_of(most: f64) -> i32 {
+    if (1e-2..1e5).contains(&most) { 0 } else { 3 * (most.log10() / 3.0).floor() as i32 }
+}
+
+/// The name of an axis whose ticks are so many powers of ten.
+fn name_of(name: &str, exponent: i32) -> String {
+    if exponent == 0 { name.to_owned() } else { format!("{name}, times 1e{exponent}") }
 }
 
 /// A chart as a picture, of its parts.

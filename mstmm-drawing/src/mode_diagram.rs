@@ -1,4 +1,4 @@
-//! Diagrams of modes over their frequencies: a response spectrum with the modes on it, the mass that each mode takes, ranges over tolerances.
+//! Diagrams of modes over their frequencies: a response spectrum with the modes on it, the mass that each mode takes, ranges over tolerances, a peak on its response.
 
 use crate::chart::{Chart, page, text};
 use crate::error::DrawingError;
@@ -6,7 +6,7 @@ use crate::outline::Outline;
 use crate::picture::{element, path};
 use crate::vector::Vector;
 use mstmm_core::search::{FrequencyRange, NaturalFrequency};
-use mstmm_core::{Participation, ResponseSpectrum};
+use mstmm_core::{Participation, Peak, ResponseSpectrum};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::path::Path;
@@ -156,6 +156,25 @@ impl ModeDiagram {
                 (ends, number as f64 + 1.0, format!("{:.3} to {:.3} Hz", ends[0], ends[1]))
             })
             .collect();
+        Ok(own)
+    }
+
+    /// The size of a response over the frequency, by samples `[Hz, size]`, with its peak and the line above which no frequency of the band is.
+    ///
+    /// # Errors
+    /// As [`spectrum`](ModeDiagram::spectrum).
+    pub fn peak(samples: &[[f64; 2]], peak: &Peak) -> Result<Self, DrawingError> {
+        if samples.is_empty() {
+            return Err(DrawingError::Empty);
+        }
+        let last = samples.iter().map(|sample| sample[0]).fold(0.0, f64::max);
+        let largest = samples.iter().map(|sample| sample[1]).fold(peak.upper, f64::max);
+        let all = samples.iter().flatten().copied().chain([peak.omega, peak.lower, peak.upper]);
+        let mut own = ModeDiagram::with([last, largest], ["frequency [Hz]", "size of the response"], all)?;
+        own.lines.push(("backward", vec![[0.0, peak.upper], [last, peak.upper]]));
+        own.lines.push(("forward", samples.to_vec()));
+        let title = format!("{:.3} Hz: from {:.6e} to {:.6e}", peak.hertz(), peak.lower, peak.upper);
+        own.points.push(([peak.hertz(), peak.lower], title));
         Ok(own)
     }
 

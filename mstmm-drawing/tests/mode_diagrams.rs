@@ -32,6 +32,23 @@ fn each_mode_has_its_bar_and_its_point() {
 }
 
 #[test]
+fn a_peak_stands_on_its_response_below_its_bound() {
+    let tower = Tower { ei: 4e8 }.build().unwrap();
+    let roots = tower.first_frequencies::<4>().unwrap();
+    let (load, entry) = (Tower::point_mass_2.output().force(), Tower::point_mass_2.output().deflection());
+    let response = tower.modal_response::<4, _>(&roots, load, entry).unwrap().with_damping_ratio(0.05).unwrap();
+    let peak = response.peak(0.5..=20.0, 1e-6).unwrap();
+    let samples = [1.0, 2.0, peak.hertz()].map(|hertz| [hertz, response.at_hertz(hertz).unwrap().norm()]);
+    let diagram = ModeDiagram::peak(&samples, &peak).unwrap().to_string();
+    assert_eq!((diagram.matches("class=\"forward\"").count(), diagram.matches("class=\"critical\"").count()), (1, 1));
+    assert!(diagram.contains(&format!("{:.3} Hz: from {:.6e} to {:.6e}", peak.hertz(), peak.lower, peak.upper)));
+    // ticks of millionths would be all zeros
+    assert!(peak.upper < 1e-4 && diagram.contains("size of the response, times 1e-6"), "{}", peak.upper);
+    assert!(matches!(ModeDiagram::peak(&[], &peak), Err(DrawingError::Empty)));
+    assert!(matches!(ModeDiagram::peak(&[[1.0, f64::NAN]], &peak), Err(DrawingError::NotFinite { .. })));
+}
+
+#[test]
 fn what_is_no_diagram_is_refused() {
     let tower = Tower { ei: 4e8 }.build().unwrap();
     let roots = tower.first_frequencies::<4>().unwrap();
