@@ -37,10 +37,29 @@ pub(crate) fn take_name(model: &mut Model, errors: &mut Errors) -> Option<Ident>
 
 /// Renames the model and takes away what damps. Says so where nothing does.
 pub(crate) fn rewrite(model: &mut Model, name: &Ident, errors: &mut Errors) {
+    let own = &model.parameters.ident;
+    if *name == *own || *name == format!("{own}System") {
+        errors.push(name.span(), format!("`{name}` is a type of this model: give the undamped model another name"));
+    }
+    let is_located = model.is_located();
+    let (mut removed, mut damped) = (Vec::new(), false);
+    for element in model.elements_mut() {
+        let (freed, values) = quieten(element);
+        if !is_located && !freed.is_empty() && element.parameters().count() > 1 {
+            let [damping, stiffness] = ["damping", "stiffness"].map(|what| format!("{what}_{}", freed[0]));
+            let message = format!(
+                "`{element}` would have no stiffness without its `{damping}`: name a `{stiffness}`, which a hinge of two freedoms needs"
+            );
+            errors.push(element.place(), message);
+        }
+        damped |= !values.is_empty();
+        removed.extend(values);
+    }
+    // a field that no parameter uses was told of the damped model
+    let always = model.fields().filter(|field| field.conditions.is_empty());
+    removed.extend(always.map(|field| field_expression(field.name)).collect::<Vec<_>>());
     model.parameters.ident = name.clone();
-    let mut removed = Vec::new();
-    model.elements_mut().for_each(|element| removed.extend(quieten(element)));
-    if removed.is_empty() {
+    if !damped {
         let message = "nothing in this model damps: it has natural frequencies itself, so remove `#[undamped(..)]`";
         errors.push(name.span(), message);
     }
@@ -49,11 +68,12 @@ pub(crate) fn rewrite(model: &mut Model, name: &Ident, errors: &mut Errors) {
     model.lets.extend(uses);
 }
 
-/// Takes away what damps in an element. The values that are used no more.
-fn quieten(element: &mut Element) -> Vec<Expr> {
-    let Kind::Keyword(keyword) = &mut element.kind else { return Vec::new() };
+/// Takes away what damps in an element. The freedoms that it held by damping alone, and the values that are used no more.
+fn quieten(element: &mut Element) -> (Vec<String>, Vec<Expr>) {
+    let Kind::Keyword(keyword) = &mut element.kind else { return Default::default() };
     let word = keyword.unraw().to_string();
-    let Some(parameters) = &mut element.parameters else { return Vec::new() };
+    let Some(parameters) = &mut element.parameters else { return Default::default() };
+    let mut freed = Vec::new();
     let (damping, mut kept): (Vec<_>, Vec<_>) = parameters.drain(..).partition(|parameter| damps(&parameter.name));
     if let Some((_, spring)) = DASHPOTS.iter().find(|(dashpot, _)| *dashpot == word) {
         *keyword = Ident::new(spring, keyword.span());
@@ -62,14 +82,15 @@ fn quieten(element: &mut Element) -> Vec<Expr> {
     for parameter in &damping {
         // what a hinge names is flexible: where damping alone holds a freedom, nothing is left
         let own = parameter.name.unraw().to_string();
-        let stiffness = own.strip_prefix("damping_").map(|freedom| format!("stiffness_{freedom}"));
-        let is_missing = |name: &String| kept.iter().all(|other| other.name.unraw() != name.as_str());
-        if let Some(stiffness) = stiffness.filter(is_missing) {
+        let Some(freedom) = own.strip_prefix("damping_") else { continue };
+        let stiffness = format!("stiffness_{freedom}");
+        if kept.iter().all(|other| other.name.unraw() != stiffness.as_str()) {
             kept.push(without_stiffness(&stiffness, parameter.name.span()));
+            freed.push(freedom.to_owned());
         }
     }
     *parameters = kept;
-    damping.into_iter().map(|parameter| parameter.expression()).collect()
+    (freed, damping.into_iter().map(|parameter| parameter.expression()).collect())
 }
 
 /// Whether a parameter is one of damping.
@@ -84,9 +105,14 @@ fn without_stiffness(name: &str, span: Span) -> Parameter {
     Parameter { name: Ident::new(name, span), value: Some(value), section: None, is_told: false, called: None }
 }
 
-/// `let _ = value;`
+/// A field as an expression.
+fn field_expression(name: &Ident) -> Expr {
+    parse_quote_spanned!(name.span()=> #name)
+}
+
+/// `let _: f64 = value;`
 fn use_of(value: &Expr, span: Span) -> Local {
-    match parse_quote_spanned!(span=> let _ = #value;) {
+    match parse_quote_spanned!(span=> let _: ::core::primitive::f64 = #value;) {
         Stmt::Local(line) => line,
         other => unreachable!("a `let` line is {}", other.to_token_stream()),
     }

@@ -283,3 +283,88 @@ fn members_without_mass_in_space_are_their_static_stiffness() {
         assert!((root.omega / exact - 1.0).abs() < 1e-15 && root.is_proven, "{root} {exact}");
     }
 }
+
+system! {
+    /// A mass that slides along x, and a spring that leads nearly across: `ω² = k dx²/(m (dx² + 1))`.
+    struct Steep { tilt: f64 }
+    conn c at (0.0, 0.0) -> point_mass 1 { mass: 1.0 };
+    conn c -> roller along (1.0, 0.0);
+    conn c <- along (tilt, 1.0) <- spring 2 { stiffness: 1.0 } <- fixed;
+}
+
+system! {
+    /// A short lever under a long beam: the spring at its end turns all of it.
+    struct Lever { short: f64 }
+    pinned -> beam 1 { length: short, bending_stiffness: 1.0, mass_per_length: 1.0 } -> conn c -> beam 2 { length: 1.0, bending_stiffness: 1.0, mass_per_length: 1.0 } -> free;
+    conn c <- spring 3 { stiffness: 1.0 } <- fixed;
+}
+
+system! {
+    /// Two masses on springs in a row.
+    struct Row { soft: f64, light: f64, stiff: f64, heavy: f64 }
+    fixed -> spring 1 { stiffness: soft } -> mass 2 { mass: light } -> spring 3 { stiffness: stiff } -> mass 4 { mass: heavy } -> free;
+}
+
+/// No estimate knows how soft a stiff spring is on a short lever, or nearly across a motion: what moves slowly was told to rest.
+#[test]
+fn what_moves_slowly_does_not_rest() {
+    for tilt in [1e-6, 1e-12, 1e-30, 1e-60] {
+        let roots = Steep { tilt }.build().unwrap().frequencies(1).unwrap();
+        assert!((roots[0].omega / tilt - 1.0).abs() < 1e-12 && roots[0].is_proven, "{tilt} {}", roots[0]);
+    }
+    for short in [1e-6, 1e-10, 1e-13] {
+        let roots = Lever { short }.build().unwrap().frequencies(1).unwrap();
+        // a rigid beam of length 1 about its pin
+        assert!(
+            (roots[0].omega / (short * 3.0_f64.sqrt()) - 1.0).abs() < 4.0 * short && roots[0].is_proven,
+            "{short} {}",
+            roots[0]
+        );
+    }
+    // one word of the spring is lost beside the other one: either the frequency is told, or that rounding decides it
+    let row = Row { soft: 4.25e2, light: 1.8e-54, stiff: 1.08e70, heavy: 2.27e31 }.build().unwrap();
+    let exact = (4.25e2_f64 / 2.27e31).sqrt();
+    if let Ok(roots) = row.frequencies(1) {
+        assert!(roots[0].lower <= exact && exact <= roots[0].upper && roots[0].upper < 1.0, "{} {exact}", roots[0]);
+    }
+}
+
+system! {
+    /// A mass at the end of a beam, with a dashpot.
+    struct Post { m: f64 }
+    fixed at 0.0 -> beam 1 { bending_stiffness: 30.0, mass_per_length: m } -> conn a at 1.0;
+    conn a -> point_mass 2 { mass: 1.0, inertia: 0.1 };
+    conn a -> damper 3 { damping: 0.3 } -> fixed;
+}
+
+/// The unit of a chart followed a mass to beyond all digits of the damped search.
+#[test]
+fn damped_frames_of_hardly_any_mass_have_their_eigenvalues() {
+    let none = Post { m: 0.0 }.build().unwrap().first_eigenvalues::<2>().unwrap();
+    for exponent in (16..300).step_by(12) {
+        let little = Post { m: 10_f64.powi(-exponent) }.build().unwrap().first_eigenvalues::<2>().unwrap();
+        for (one, other) in none.iter().zip(little.iter()) {
+            assert!((one.lambda - other.lambda).norm() < 1e-12 * one.lambda.norm(), "1e-{exponent} {one:?} {other:?}");
+        }
+    }
+}
+
+system! {
+    /// A portal with a soft hinge.
+    #[derive(Clone, Copy)]
+    struct Hinged { k: f64 }
+    section steel { axial_stiffness: 900.0, bending_stiffness: 2.0, mass_per_length: 0.5 }
+    fixed at (0.0, 0.0) -> beam 1 { ..steel } -> conn a at (0.0, 1.0);
+    conn a -> hinge 2 { stiffness_rz: k } -> conn b -> beam 3 { ..steel } -> conn c at (1.5, 1.0);
+    conn c -> beam 4 { ..steel } -> fixed at (1.5, 0.0);
+}
+
+/// Down to a part of 1e-23 of other stiffnesses; shapes of softer hinges are refused.
+#[test]
+fn soft_hinges_are_those_without_stiffness() {
+    let [moment, deflection] = [Hinged::beam_3.output().moment(), Hinged::conn_a.displacement_x()];
+    for exponent in [14, 18, 20, 22, 23] {
+        let k = 10_f64.powi(-exponent);
+        assert_alike!(Hinged { k: 0.0 }, Hinged { k }, Hinged::conn_a.force_x(), [moment, deflection]);
+    }
+}

@@ -6,9 +6,10 @@ use crate::element::{
 use crate::elements::planar_hinge::hinge_matrix;
 use crate::elements::shared::connector::{chart_of_joint, freedoms_of};
 use crate::elements::shared::line_forms::half;
+use crate::elements::shared::massless;
 use crate::elements::{ElasticHinge, PlanarHinge};
 use crate::model::{EndMotion, FrequencyEstimates, InvalidParameter, Planar, Requirement};
-use crate::number::{Frequency, FrequencyPowers, Parameter, Single, Truth};
+use crate::number::{Frequency, FrequencyPowers, Parameter, Single};
 use crate::structure::Chart;
 use mstmm_plan::Freedoms;
 use nalgebra::Matrix6;
@@ -30,13 +31,9 @@ pub struct Joint<T> {
     elastic: [Option<T>; 3],
 }
 
-/// The elongation of a spring: its force says how long it is, however stiff it is; where it has no stiffness displacements do.
+/// The elongation of a spring of a joint.
 fn elongation<T: Parameter, S: Frequency<T>>(stiffness: T, ends: &[EndMotion<S>; 2], freedom: usize) -> S {
-    let [input, output] = ends;
-    if stiffness.vanishes().all() {
-        return output.displacements[freedom] - input.displacements[freedom];
-    }
-    output.forces[freedom] / S::from_parameter(stiffness)
+    massless::elongation(S::from_parameter(stiffness), stiffness.to_f64(), ends, freedom)
 }
 
 /// The parameters by which hinges give the stiffnesses.

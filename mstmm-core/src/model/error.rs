@@ -18,7 +18,7 @@ pub enum Requirement {
     InvertibleOrInfinite,
     /// Zero, or greater with a finite reciprocal: a spring that lets go where it is zero.
     InvertibleOrZero,
-    /// Positive, and not so extreme that products with the other parameters of the element leave the range of the type.
+    /// Not so extreme that products with the other parameters of the element leave the range of the type.
     Rescale,
     /// Finite and not less than zero.
     NonNegative,
@@ -69,7 +69,7 @@ impl fmt::Display for Requirement {
             Requirement::Invertible => write!(f, "positive and finite, with a finite reciprocal"),
             Requirement::InvertibleOrInfinite => write!(f, "positive, with a finite reciprocal; infinite is rigid"),
             Requirement::InvertibleOrZero => write!(f, "zero, or positive and finite, with a finite reciprocal"),
-            Requirement::Rescale => write!(f, "positive, and not too extreme beside the other parameters"),
+            Requirement::Rescale => write!(f, "not too extreme beside the other parameters"),
             Requirement::NonNegative => write!(f, "zero or positive, and finite"),
             Requirement::AtLeast { bound, formula } => write!(f, "finite and at least {formula} = {bound}"),
             Requirement::Above { bound, formula } => write!(f, "finite and greater than {formula} = {bound}"),

@@ -36,6 +36,31 @@ fn a_model_without_damping_has_no_undamped_model() {
     );
 }
 
+#[test]
+fn the_undamped_model_has_a_name_of_its_own() {
+    assert_refused(
+        "
+        #[undamped(M)]
+                   ^ `M` is a type of this model: give the undamped model another name
+        struct M { k: f64 }
+        fixed -> spring 1 { stiffness: k, damping: 1.0 } -> mass 2 { mass: 1.0 } -> free
+        ",
+    );
+}
+
+#[test]
+fn a_hinge_of_two_freedoms_needs_both_stiffnesses() {
+    assert_refused(
+        "
+        #[undamped(Quiet)]
+        struct M { k: f64 }
+        fixed -> hinge 1 { stiffness_y: k, damping_rz: 1.0 } -> point_mass 2 { mass: 1.0 } -> free
+                 ^^^^^^^ `hinge 1` would have no stiffness without its `damping_rz`: name a `stiffness_rz`,
+                 | which a hinge of two freedoms needs
+        ",
+    );
+}
+
 /// What is wrong with a model is told once, and not again of the model without damping.
 #[test]
 fn mistakes_are_told_once() {

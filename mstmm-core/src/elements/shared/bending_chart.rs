@@ -154,16 +154,15 @@ pub(crate) struct Impedances {
     pub(crate) inertia: f64,
 }
 
-/// How far an inertia may be below an elastic impedance and still lower the unit, in bits: all those of extended precision. A stiffness in its unit then loses half of these bits.
-const SLIGHTEST: i32 = 106;
-
 /// The units of displacements and rotations: logarithms to base 2.
 pub(crate) fn units_of_waves<S: Scalar>(impedances: &Impedances, lambda_squared: S) -> Units {
     let Impedances { wave, translation, rotation, mass, inertia } = *impedances;
     let square = lambda_squared.size().first();
+    // an inertia that is rounding beside an elastic impedance lowers no unit: a stiffness in its unit would lose half of the bits between both
+    let slightest = -binary_exponent(S::EPSILON);
     let between = |impedance: f64, inertia: f64| {
         let own = binary_exponent(impedance);
-        if inertia > 0.0 { (own + binary_exponent(inertia).clamp(own - SLIGHTEST, own)).div_euclid(2) } else { own }
+        if inertia > 0.0 { (own + binary_exponent(inertia).clamp(own - slightest, own)).div_euclid(2) } else { own }
     };
     let translation = between(translation, mass * square);
     let rotation = between(rotation, inertia * square);

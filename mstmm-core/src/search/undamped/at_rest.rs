@@ -27,9 +27,12 @@ impl<T: Real> Certification<'_, T> {
 
     /// The number of frequencies at rest, and a frequency that is proven to be above them and below all others; none where nothing rests.
     ///
-    /// What is below the lower of two scales rests: of the estimate of the lowest frequency and of the one that is proposed. Where rounding decides that count, what rests is below each
-    /// frequency at which a count is decided, down to that estimate.
+    /// Where a count is decided at zero itself, the stiffness at rest is regular, and nothing rests. Else what is below the lower of two scales rests: of the estimate of the lowest frequency
+    /// and of the one that is proposed. Where rounding decides that count, what rests is below each frequency at which a count is decided, down to that estimate.
     pub(super) fn at_rest(&mut self, next: Option<T>) -> Option<(u64, T)> {
+        if self.prover.count(T::zero(), 1.0).is_ok() {
+            return None;
+        }
         let least = T::one().times_power_of_two(self.estimates.least_exponent());
         let next = next.unwrap_or(least);
         let [low, high] = if next < least { [next, least] } else { [least, next] };
@@ -43,12 +46,11 @@ impl<T: Real> Certification<'_, T> {
             let omega = high * T::from_f64(part);
             Some((self.resting_below(omega)?, omega))
         };
-        let (count, mut upper) = AT_REST.into_iter().find_map(decided)?;
+        let (mut count, mut upper) = AT_REST.into_iter().find_map(decided)?;
         while upper > low {
             let below = upper * T::from_f64(AT_REST[2]);
             match self.resting_below(below) {
-                Some(fewer) if fewer < count => return None,
-                Some(_) => upper = below,
+                Some(fewer) => (count, upper) = (fewer, below),
                 None => break,
             }
         }
@@ -63,11 +65,10 @@ impl<T: Real> Certification<'_, T> {
         }
     }
 
-    /// The least part of the next frequency below which those at rest are proven to be.
+    /// The least part of the next frequency below which those at rest are proven to be; no more than what is proven already.
     pub(super) fn upper_of_rest(&mut self, rest: NaturalFrequency<T>, next: Option<T>) -> T {
         let Some(next) = next else { return rest.upper };
-        for part in AT_REST {
-            let omega = next * T::from_f64(part);
+        for omega in AT_REST.map(|part| next * T::from_f64(part)).into_iter().filter(|omega| *omega < rest.upper) {
             let at_least = self.prover.bound_at(omega, 1.0, Side::AtLeast, Precision::Two).count;
             let below = self.prover.bound_at(omega, -1.0, Side::AtMost, Precision::Two).count;
             if at_least >= Some(rest.multiplicity) && below == Some(0) {
