@@ -160,7 +160,7 @@ impl<T: Parameter> TaperedBeam<T> {
     /// The beam between two stations of a table, each with its bending stiffness EI [N m²] and its mass per length m [kg/m].
     ///
     /// With `EI ~ b h³` and `m ~ b h` both numbers are met at both stations: at the second one `h = √((EI₂/EI₁)/(m₂/m₁))` and `b = (m₂/m₁)/h`. Between them width and height vary evenly. That is the
-    /// law of a cone with a thin wall, whose diameter is h and whose thickness is b. Axial force, rotation, rotary inertia and foundation are zero.
+    /// law of a cone with a thin wall, whose diameter is h and whose thickness is b. Where a number of the second station is no positive one, `build` refuses the taper that follows. Axial force, rotation, rotary inertia and foundation are zero.
     ///
     /// ```
     /// use mstmm_core::elements::TaperedBeam;
