@@ -13,7 +13,7 @@ pub enum FileError {
     #[error("the table cannot be written: {0}")]
     Csv(#[from] csv::Error),
     /// There are no samples.
-    #[error("there are no samples: a function has at least one")]
+    #[error("there is nothing to write: a function has a sample at least, and a state space a mode")]
     Empty,
     /// A number is not finite.
     #[error("row {row} has a number that is not finite")]

@@ -17,8 +17,12 @@ impl Range {
         let finite: &[f64] = match self {
             Range::Moderate | Range::Tame | Range::TameOrRigid => &[0.0, -0.0, -TINY, -1.0, f64::MIN],
             Range::Invertible | Range::InvertibleOrRigid => &[0.0, -0.0, TINY, 1e-309, -1.0, f64::MIN],
-            Range::ZeroOrRigid => &[-TINY, TINY, 1e-309, -1.0, f64::MIN],
-            Range::NonNegative | Range::ModerateOrZero | Range::TameOrZero => &[-TINY, -1.0, f64::MIN],
+            Range::ZeroOrRigid | Range::ZeroOrInvertible => &[-TINY, TINY, 1e-309, -1.0, f64::MIN],
+            Range::NonNegative
+            | Range::ModerateOrZero
+            | Range::TameOrZero
+            | Range::ZeroOrModerate
+            | Range::ZeroOrTame => &[-TINY, -1.0, f64::MIN],
             Range::Position | Range::Speed => &[],
             // -1/f - G
             Range::Tension => &[-2.0, -3.0, f64::MIN],
@@ -36,6 +40,9 @@ impl Range {
             Range::Moderate => &[1e-60, 1.0, 1e60],
             Range::ModerateOrZero => &[0.0, -0.0, TINY, 1e-60, 1.0, 1e60],
             Range::ZeroOrRigid => &[0.0, -0.0, 1e-60, 1.0, 1e60, f64::INFINITY],
+            Range::ZeroOrInvertible => &[0.0, -0.0, f64::MIN_POSITIVE, 1.0, f64::MAX],
+            Range::ZeroOrModerate => &[0.0, -0.0, 1e-60, 1.0, 1e60],
+            Range::ZeroOrTame => &[0.0, -0.0, 1e-20, 1.0, 1e20],
             Range::Invertible => &[f64::MIN_POSITIVE, 1.0, f64::MAX],
             Range::InvertibleOrRigid => &[f64::MIN_POSITIVE, 1.0, f64::MAX, f64::INFINITY],
             Range::NonNegative => &[0.0, -0.0, TINY, f64::MIN_POSITIVE, 1.0, f64::MAX],
@@ -136,8 +143,8 @@ fn the_error_names_the_one_element_of_several() {
     let refused = |model: Branched| model.build().unwrap_err();
     let error = refused(Branched { l: -1.0, ..valid });
     assert_eq!((error.element, error.parameter, error.value), ("beam arm", "length", -1.0));
-    let error = refused(Branched { k: 0.0, ..valid });
-    assert_eq!((error.element, error.parameter, error.value), ("spring in", "stiffness", 0.0));
+    let error = refused(Branched { k: -3.0, ..valid });
+    assert_eq!((error.element, error.parameter, error.value), ("spring in", "stiffness", -3.0));
     let error = refused(Branched { m: -2.0, ..valid });
     assert_eq!((error.element, error.parameter, error.value), ("mass 12", "mass", -2.0));
 }

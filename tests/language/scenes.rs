@@ -247,7 +247,8 @@ fn attributes_derives_and_visibility_pass_through() {
     let system: elsewhere::OscillatorSystem = model.build().unwrap();
     let copy = system.clone();
     assert_frequencies(|omega| copy.overall_determinant(omega), &[3.0], ROUNDING);
-    assert_eq!(elsewhere::Oscillator::default().build().unwrap_err().element, "spring 1");
+    let wrong = elsewhere::Oscillator { stiffness: -1.0, ..elsewhere::Oscillator::default() };
+    assert_eq!(wrong.build().unwrap_err().element, "spring 1");
 }
 
 system! {

@@ -79,5 +79,5 @@ fn rigid_bodies_and_critical_damping() {
     };
     assert_eq!(at(0.0, 0.5).map(|lambda| lambda.re).iter().sum::<f64>(), -0.5);
     assert_eq!(at(2.0, 4.0), [Complex::new(-2.0, 0.0); 2]);
-    assert!(ProportionalDamping::new(0.1, -1e-9, 0.0).is_err_and(|error| error.parameter == "stiffness"));
+    assert!(ProportionalDamping::new(0.1, -1e-9, 0.0).is_err_and(|error| error.parameter == "beta"));
 }

@@ -166,7 +166,7 @@ impl fmt::Display for SearchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             SearchError::Range { start, end } => {
-                write!(f, "the search range from {start} to {end} must run upwards and be of finite length")
+                write!(f, "the range from {start} to {end} must run upwards, frequencies from 0 on, and be finite")
             }
             SearchError::Grid { points, limit } => {
                 write!(f, "a grid of {points} points was asked for; it needs at least 3 and at most {limit}")

@@ -39,12 +39,12 @@ impl<T: Real> ProportionalDamping<T> {
     /// Damping by α [1/s] of the inertias, β \[s\] of the stiffnesses and a loss factor η of the stiffnesses.
     ///
     /// # Errors
-    /// [`InvalidParameter`] names the first of `mass`, `stiffness` and `loss_factor` that is not zero or positive.
-    pub fn new(mass: T, stiffness: T, loss_factor: T) -> Result<Self, InvalidParameter> {
-        Requirement::NonNegative.check("mass", mass)?;
-        Requirement::NonNegative.check("stiffness", stiffness)?;
+    /// [`InvalidParameter`] names the first of `alpha`, `beta` and `loss_factor` that is not zero or positive.
+    pub fn new(alpha: T, beta: T, loss_factor: T) -> Result<Self, InvalidParameter> {
+        Requirement::NonNegative.check("alpha", alpha)?;
+        Requirement::NonNegative.check("beta", beta)?;
         Requirement::NonNegative.check("loss_factor", loss_factor)?;
-        Ok(ProportionalDamping { mass, stiffness, loss_factor })
+        Ok(ProportionalDamping { mass: alpha, stiffness: beta, loss_factor })
     }
 
     /// The eigenvalues of a natural frequency: a conjugate pair, two that are real, or one where there is a loss factor, since that

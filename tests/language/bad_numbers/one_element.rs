@@ -20,8 +20,14 @@ pub(crate) enum Range {
     Invertible,
     /// The same, or infinite, which is rigid.
     InvertibleOrRigid,
+    /// Zero, or greater with a finite reciprocal.
+    ZeroOrInvertible,
     /// Zero, or greater with a finite reciprocal and not extreme, or infinite, which is rigid.
     ZeroOrRigid,
+    /// Zero, or greater and as far from zero as is not extreme.
+    ZeroOrModerate,
+    /// Zero, or greater and as far from zero as the fourth power is not extreme.
+    ZeroOrTame,
     /// Zero or greater.
     NonNegative,
     /// Greater than zero, so that the fourth power is not extreme.
@@ -135,7 +141,7 @@ fn evaluate<S: mstmm::number::Scalar, const N: usize>(
 }
 
 scenes! {
-    Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate } -> free undamped;
+    Beam = fixed -> beam { length: Moderate, bending_stiffness: Moderate, mass_per_length: ZeroOrModerate } -> free undamped;
     Body = free -> body {
         mass: NonNegative, inertia_about_input: NonNegative, output_x: Position, centre_x: Position,
     } -> free undamped;
@@ -153,52 +159,52 @@ scenes! {
         output_x: Position, output_y: Position, centre_x: Position, centre_y: Position,
     } -> free undamped;
     ElasticHinge = fixed -> hinge { stiffness_y: Invertible, stiffness_rz: Invertible } -> free undamped;
-    Spring = fixed -> spring { stiffness: Invertible } -> free undamped;
+    Spring = fixed -> spring { stiffness: ZeroOrInvertible } -> free undamped;
     Damper = fixed -> damper { damping: NonNegative } -> free;
-    SpringDamper = fixed -> spring { stiffness: Invertible, damping: NonNegative } -> free;
-    TorsionSpring = fixed -> torsion_spring { stiffness: Invertible } -> free undamped;
+    SpringDamper = fixed -> spring { stiffness: ZeroOrInvertible, damping: NonNegative } -> free;
+    TorsionSpring = fixed -> torsion_spring { stiffness: ZeroOrInvertible } -> free undamped;
     TorsionDamper = fixed -> torsion_damper { damping: NonNegative } -> free;
-    TorsionSpringDamper = fixed -> torsion_spring { stiffness: Invertible, damping: NonNegative } -> free;
+    TorsionSpringDamper = fixed -> torsion_spring { stiffness: ZeroOrInvertible, damping: NonNegative } -> free;
     Mass = free -> mass { mass: NonNegative } -> free undamped;
     Inertia = free -> inertia { inertia: NonNegative } -> free undamped;
     PointMass = free -> point_mass { mass: NonNegative, inertia: NonNegative } -> free undamped;
     TautString = fixed -> string {
-        length: Moderate, tension: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+        length: Moderate, tension: Moderate, mass_per_length: ZeroOrModerate, foundation_stiffness: ModerateOrZero,
     } -> free undamped;
     Rod = fixed -> rod {
-        length: Moderate, axial_stiffness: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+        length: Moderate, axial_stiffness: Moderate, mass_per_length: ZeroOrModerate, foundation_stiffness: ModerateOrZero,
     } -> free undamped;
     Shaft = fixed -> shaft {
-        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate,
+        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: ZeroOrModerate,
     } -> free undamped;
     PlanarBeam = fixed -> beam {
-        length: Moderate, axial_stiffness: Moderate, bending_stiffness: Moderate, mass_per_length: Moderate,
+        length: Moderate, axial_stiffness: Moderate, bending_stiffness: Moderate, mass_per_length: ZeroOrModerate,
     } -> free undamped;
     RayleighBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, rotary_inertia: TameOrZero,
     } -> free undamped;
     TimoshenkoBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid, rotary_inertia: TameOrZero,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid, rotary_inertia: TameOrZero,
     } -> free undamped;
     BeamColumn = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, axial_force: Position,
     } -> free undamped;
     FoundationBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     PlanarRayleighBeam = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, rotary_inertia: TameOrZero,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, rotary_inertia: TameOrZero,
     } -> free undamped;
     PlanarTimoshenkoBeam = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero,
     } -> free undamped;
     PlanarBeamColumn = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, axial_force: Position,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, axial_force: Position,
     } -> free undamped;
     PlanarFoundationBeam = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame,
         foundation_stiffness: TameOrZero, foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     PlanarBody = free -> body {
@@ -225,41 +231,41 @@ scenes! {
         rotary_inertia: TameOrZero, axial_force: Position, axial_load: Position, rotation_speed: TameOrZero, hub_radius: Position, setting_angle: Position,
         foundation_stiffness: Position,
     } -> free undamped;
-    DampedSpring = fixed -> spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
-    DampedTorsionSpring = fixed -> torsion_spring { stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
+    DampedSpring = fixed -> spring { stiffness: ZeroOrInvertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
+    DampedTorsionSpring = fixed -> torsion_spring { stiffness: ZeroOrInvertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative } -> free;
     DampedString = fixed -> string {
-        length: Moderate, tension: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero, external_damping: NonNegative,
+        length: Moderate, tension: Moderate, mass_per_length: ZeroOrModerate, foundation_stiffness: ModerateOrZero, external_damping: NonNegative,
     } -> free;
     DampedRod = fixed -> rod {
-        length: Moderate, axial_stiffness: Moderate, mass_per_length: Moderate, foundation_stiffness: ModerateOrZero,
+        length: Moderate, axial_stiffness: Moderate, mass_per_length: ZeroOrModerate, foundation_stiffness: ModerateOrZero,
         loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
     DampedShaft = fixed -> shaft {
-        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: Moderate, loss_factor: NonNegative, kelvin_voigt_time: NonNegative,
+        length: Moderate, torsional_stiffness: Moderate, inertia_per_length: ZeroOrModerate, loss_factor: NonNegative, kelvin_voigt_time: NonNegative,
         external_damping: NonNegative,
     } -> free;
     GeneralBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     PlanarGeneralBeam = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero,
     } -> free undamped;
     DampedBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
     SpinningBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, polar_inertia_per_length: NonNegative, speed: Speed,
     } -> free [spinning] undamped;
     DampedSpinningBeam = fixed -> beam {
-        length: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, polar_inertia_per_length: NonNegative, speed: Speed,
         kelvin_voigt_time: NonNegative, external_damping: NonNegative,
@@ -268,11 +274,11 @@ scenes! {
         mass: NonNegative, inertia: NonNegative, polar_inertia: NonNegative, speed: Speed,
     } -> free [spinning] undamped;
     CrossCoupledSpring = fixed -> spring {
-        stiffness: Invertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative,
+        stiffness: ZeroOrInvertible, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, damping: NonNegative,
         cross_stiffness: Position, cross_damping: Position,
     } -> free [spinning];
     PlanarDampedBeam = fixed -> beam {
-        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: Tame, shear_stiffness: TameOrRigid,
+        length: Tame, axial_stiffness: Tame, bending_stiffness: Tame, mass_per_length: ZeroOrTame, shear_stiffness: TameOrRigid,
         rotary_inertia: TameOrZero, axial_force: Tension, foundation_stiffness: TameOrZero,
         foundation_shear_stiffness: TameOrZero, loss_factor: NonNegative, kelvin_voigt_time: NonNegative, external_damping: NonNegative,
     } -> free;
