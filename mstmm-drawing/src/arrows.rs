@@ -41,7 +41,7 @@ pub(crate) struct Shown {
     pub(crate) label: Option<Wanted>,
 }
 
-/// What is drawn of loads; those of amount zero have no arrows.
+/// What is drawn of loads. A load of amount zero is not drawn.
 pub(crate) fn shown<M>(figure: &Figure<M>, loads: &[Loaded], units: &Units) -> Vec<Shown> {
     let is_force = |load: &&Loaded| matches!(load.arrows.first(), Some(Arrow::Force(..))) && !load.is_acceleration;
     let largest = loads.iter().filter(is_force).map(|load| load.amount.abs()).fold(0.0, f64::max);

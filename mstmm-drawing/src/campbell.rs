@@ -1,16 +1,15 @@
 //! Campbell diagrams: the frequencies of both whirls of a rotor over its speed, with lines of order and critical speeds.
 
-use crate::chart::{Chart, page, text};
+use crate::chart::{Chart, page};
 use crate::error::DrawingError;
 use crate::outline::Outline;
-use crate::picture::{element, path};
+use crate::picture::{element, path, text, titled};
 use crate::vector::Vector;
 use mstmm_core::search::{AtSpeed, CriticalSpeed};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::path::Path;
 use svg::Node;
-use svg::node::Text;
 use svg::node::element::Element;
 
 /// Radius of a critical speed.
@@ -125,11 +124,8 @@ impl CampbellDiagram {
             all.append(text("order", [to[0] + shift[0], to[1] + shift[1]], &format!("{order}x")));
         }
         for critical in self.critical.iter().filter(|critical| critical[0] <= speed && critical[1] <= frequency) {
-            let mut circle = path("critical", &Outline::Disc(chart.place(*critical), CRITICAL));
-            let mut title = Element::new("title");
-            title.append(Text::new(format!("{:.1} rpm", critical[0])));
-            circle.append(title);
-            all.append(circle);
+            let circle = path("critical", &Outline::Disc(chart.place(*critical), CRITICAL));
+            all.append(titled(circle, &format!("{:.1} rpm", critical[0])));
         }
         all
     }

@@ -1,11 +1,9 @@
 //! What is written above and below a picture.
 
 use crate::labels::width_of;
-use crate::outline::number;
-use crate::picture::{MARGIN, element};
+use crate::picture::{self, MARGIN, element};
 use crate::vector::Vector;
 use svg::Node;
-use svg::node::Text;
 use svg::node::element::Element;
 
 /// Sizes of the letters of a title and of what is below a picture, as the style sheet has them.
@@ -43,10 +41,6 @@ fn make_room(width: f64, (low, high): (&mut Vector, &mut Vector)) -> f64 {
 
 fn written(class: &str, text: &str, at: Vector) -> Element {
     let mut all = element("g", "captions");
-    let mut own = element("text", class);
-    own.assign("x", number(at[0]));
-    own.assign("y", number(at[1]));
-    own.append(Text::new(text));
-    all.append(own);
+    all.append(picture::text(class, at, text));
     all
 }

@@ -1,7 +1,7 @@
 //! The frame of a chart: axes with ticks and their names.
 
 use crate::outline::{Outline, number};
-use crate::picture::{element, path};
+use crate::picture::{element, path, text};
 use crate::vector::Vector;
 use svg::Node;
 use svg::node::Text;
@@ -71,12 +71,12 @@ impl Chart {
     }
 }
 
-/// The power of a thousand, as one of ten, that ticks up to a value leave to the name of their axis: none between a hundredth and a hundred thousand.
+/// The exponent of ten by which ticks up to a value are divided: a multiple of three, and zero between a hundredth and a hundred thousand.
 fn exponent_of(most: f64) -> i32 {
     if (1e-2..1e5).contains(&most) { 0 } else { 3 * (most.log10() / 3.0).floor() as i32 }
 }
 
-/// The name of an axis whose ticks are so many powers of ten.
+/// The name of an axis, with the power of ten by which its ticks are divided.
 fn name_of(name: &str, exponent: i32) -> String {
     if exponent == 0 { name.to_owned() } else { format!("{name}, times 1e{exponent}") }
 }
@@ -95,15 +95,6 @@ pub(crate) fn page(label: &str, parts: impl IntoIterator<Item = Element>) -> Ele
     svg.append(style);
     parts.into_iter().for_each(|part| svg.append(part));
     svg
-}
-
-/// A text in the middle of a place, or before it.
-pub(crate) fn text(class: &str, [x, y]: Vector, content: &str) -> Element {
-    let mut text = element("text", class);
-    text.assign("x", number(x));
-    text.assign("y", number(y));
-    text.append(Text::new(content));
-    text
 }
 
 /// 1, 2 or 5 times a power of ten, about as large as a number.

@@ -67,14 +67,16 @@ fn unit(axis: usize) -> Vector3 {
     std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 })
 }
 
-/// The mass centres on which an acceleration acts as it does along a part.
-fn on_masses<M>(figure: &Figure<M>, along: Option<Arrow>) -> impl Iterator<Item = Arrow> {
+/// The arrows along parts, and before them those at the mass centres, on which an acceleration acts as it does along a part.
+fn all_along<M>(figure: &Figure<M>, spread: Vec<Arrow>, is_acceleration: bool) -> Vec<Arrow> {
+    let along = spread.first().copied().filter(|_| is_acceleration);
     let is_mass = |kind: Kind| kind.is_body() || matches!(kind, Kind::PointMass | Kind::Disc | Kind::Mass);
-    let masses = figure.parts.iter().filter(move |part| is_mass(part.kind));
-    masses.filter_map(move |part| match along {
+    let masses = figure.parts.iter().filter(|part| is_mass(part.kind));
+    let on_masses = masses.filter_map(|part| match along {
         Some(Arrow::Spread(_, direction)) => Some(Arrow::Force(*part.ends.last()?, direction)),
         _ => None,
-    })
+    });
+    on_masses.chain(spread).collect()
 }
 
 impl<M> private::Acts<M> for PlaneLoad<M> {
@@ -100,9 +102,7 @@ impl<M> private::Acts<M> for PlaneLoad<M> {
             return vec![arrow];
         }
         let spread = members().filter_map(|(part, label, _)| Arrow::along(part, self.along_member(label)?));
-        let spread: Vec<Arrow> = spread.collect();
-        let along = spread.first().copied().filter(|_| PlaneLoad::is_acceleration(*self));
-        on_masses(figure, along).chain(spread).collect()
+        all_along(figure, spread.collect(), PlaneLoad::is_acceleration(*self))
     }
 
     fn is_acceleration(&self) -> bool {
@@ -126,9 +126,7 @@ impl<M> private::Acts<M> for Load<M> {
             let Some(Inside::Element { label, .. }) = part.inside else { return None };
             Arrow::along(index, self.along_element(label)?)
         });
-        let spread: Vec<Arrow> = spread.collect();
-        let along = spread.first().copied().filter(|_| Load::is_acceleration(*self));
-        on_masses(figure, along).chain(spread).collect()
+        all_along(figure, spread.collect(), Load::is_acceleration(*self))
     }
 
     fn is_acceleration(&self) -> bool {

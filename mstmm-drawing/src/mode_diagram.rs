@@ -1,9 +1,9 @@
 //! Diagrams of modes over their frequencies: a response spectrum with the modes on it, the mass that each mode takes, ranges over tolerances, a peak on its response.
 
-use crate::chart::{Chart, page, text};
+use crate::chart::{Chart, page};
 use crate::error::DrawingError;
 use crate::outline::Outline;
-use crate::picture::{element, path};
+use crate::picture::{element, path, text, titled};
 use crate::vector::Vector;
 use mstmm_core::search::{FrequencyRange, NaturalFrequency};
 use mstmm_core::{Participation, Peak, ResponseSpectrum};
@@ -11,7 +11,6 @@ use std::f64::consts::TAU;
 use std::fmt;
 use std::path::Path;
 use svg::Node;
-use svg::node::Text;
 use svg::node::element::Element;
 
 /// Radius of a mode on a curve, and half the width of a bar and of a band.
@@ -205,18 +204,18 @@ impl ModeDiagram {
         let mut all = element("g", "curves");
         for (place, title) in &self.bars {
             let [[x, top], [_, bottom]] = [chart.place(*place), chart.place([place[0], 0.0])];
-            all.append(titled("bar", area(x - BAR, x + BAR, bottom, top), title));
+            all.append(titled(path("bar", &area(x - BAR, x + BAR, bottom, top)), title));
         }
         for (class, line) in &self.lines {
             all.append(path(class, &Outline::line(line.iter().map(|point| chart.place(*point)).collect())));
         }
         for (ends, number, title) in &self.bands {
             let [[from, y], [to, _]] = ends.map(|hertz| chart.place([hertz, *number]));
-            all.append(titled("bar", area(from, to.max(from + 1.0), y + BAND, y - BAND), title));
+            all.append(titled(path("bar", &area(from, to.max(from + 1.0), y + BAND, y - BAND)), title));
             all.append(text("order", [from - 14.0, y], &format!("{number}")));
         }
         for (place, title) in &self.points {
-            all.append(titled("critical", Outline::Disc(chart.place(*place), MODE), title));
+            all.append(titled(path("critical", &Outline::Disc(chart.place(*place), MODE)), title));
         }
         all
     }
@@ -225,15 +224,6 @@ impl ModeDiagram {
 /// A rectangle.
 fn area(left: f64, right: f64, bottom: f64, top: f64) -> Outline {
     Outline::Area(vec![[left, bottom], [right, bottom], [right, top], [left, top]])
-}
-
-/// A path that says what it is under the pointer.
-fn titled(class: &str, outline: Outline, title: &str) -> Element {
-    let mut path = path(class, &outline);
-    let mut element = Element::new("title");
-    element.append(Text::new(title));
-    path.append(element);
-    path
 }
 
 /// The diagram as SVG, of which a page can take the element as it is.

@@ -55,6 +55,23 @@ pub(crate) fn element(name: &str, class: &str) -> Element {
     element
 }
 
+/// A text in the middle of a place, or before it.
+pub(crate) fn text(class: &str, [x, y]: Vector, content: &str) -> Element {
+    let mut text = element("text", class);
+    text.assign("x", number(x));
+    text.assign("y", number(y));
+    text.append(Text::new(content));
+    text
+}
+
+/// An element that says what it is under the pointer.
+pub(crate) fn titled(mut element: Element, title: &str) -> Element {
+    let mut own = Element::new("title");
+    own.append(Text::new(title));
+    element.append(own);
+    element
+}
+
 /// A path.
 pub(crate) fn path(class: &str, outline: &Outline) -> Element {
     let mut path = element("path", class);
@@ -113,14 +130,8 @@ pub(crate) fn group_of_labels(labels: &[Placed]) -> Element {
         if let Some(ends) = label.leader {
             all.append(path("leader", &Outline::line(ends.into())));
         }
-        let mut text = element("text", label.wanted.class);
-        text.assign("x", number(label.middle[0]));
-        text.assign("y", number(label.middle[1]));
-        let mut title = Element::new("title");
-        title.append(Text::new(label.wanted.title.clone()));
-        text.append(Text::new(label.wanted.text.clone()));
-        text.append(title);
-        all.append(text);
+        let text = text(label.wanted.class, label.middle, &label.wanted.text);
+        all.append(titled(text, &label.wanted.title));
     }
     all
 }

@@ -1,13 +1,12 @@
 //! The axes of space in a corner of a picture.
 
 use crate::labels::{Placed, is_free};
-use crate::outline::{Outline, number};
-use crate::picture::{MARGIN, Picture, element, path};
+use crate::outline::Outline;
+use crate::picture::{MARGIN, Picture, element, path, text, titled};
 use crate::vector::{Vector, plus};
 use crate::vector3::{Vector3, times};
 use crate::view::Sight;
 use svg::Node;
-use svg::node::Text;
 use svg::node::element::Element;
 
 /// Length of an axis, and how far from the middle its name is.
@@ -80,12 +79,5 @@ pub(crate) fn mark([x, y]: Vector, radius: f64, is_near: bool) -> Outline {
 
 /// The name of an axis.
 fn label(name: &str, place: Vector) -> Element {
-    let mut text = element("text", "axis");
-    text.assign("x", number(place[0]));
-    text.assign("y", number(place[1]));
-    let mut title = Element::new("title");
-    title.append(Text::new(format!("axis {name}")));
-    text.append(Text::new(name));
-    text.append(title);
-    text
+    titled(text("axis", place, name), &format!("axis {name}"))
 }

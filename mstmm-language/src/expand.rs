@@ -34,9 +34,11 @@ pub(crate) fn expand_checked(input: TokenStream) -> syn::Result<TokenStream> {
 
 /// The code of a model; given a name, of the model without what damps.
 fn code(mut model: Model, mut errors: Errors, undamped: Option<&Ident>) -> syn::Result<TokenStream> {
-    let unused = sections::spread(&mut model, &mut errors);
+    let mut unused = sections::spread(&mut model, &mut errors);
     if let Some(name) = undamped {
         undamped::rewrite(&mut model, name, &mut errors);
+        // a section that no element has was told of the damped model
+        unused.clear();
     }
     if !model.is_located() {
         let dimension = check::dimension_of_paths(&model);

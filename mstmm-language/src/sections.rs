@@ -87,8 +87,12 @@ fn lines(section: &Section, parameter: &Parameter, facade: &TokenStream) -> Vec<
 fn line(parameter: &Parameter, variable: &Ident, value: &Expr) -> Option<Local> {
     // a type that is not `f64` is shown at the expression, and what is expected at the name
     let float = quote_spanned!(parameter.name.span()=> ::core::primitive::f64);
-    let statement = quote_spanned!(variable.span()=> let #variable: #float = #value;);
-    match Block::parse_within.parse2(statement).ok()?.pop()? {
+    let_line(quote_spanned!(variable.span()=> let #variable: #float = #value;))
+}
+
+/// A `let` line of its tokens.
+pub(crate) fn let_line(tokens: TokenStream) -> Option<Local> {
+    match Block::parse_within.parse2(tokens).ok()?.pop()? {
         Stmt::Local(local) => Some(local),
         _ => None,
     }

@@ -3,11 +3,12 @@
 use crate::ast::{Element, Kind, Model, Parameter};
 use crate::diagnostics::Errors;
 use crate::keywords::DAMPING;
+use crate::sections::let_line;
 use crate::spans::emitted_at;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, quote_spanned};
+use quote::quote_spanned;
 use syn::ext::IdentExt;
-use syn::{Expr, Local, Stmt, parse_quote_spanned};
+use syn::{Expr, Local, parse_quote_spanned};
 
 /// The attribute that names the model without what damps.
 const UNDAMPED: &str = "undamped";
@@ -64,8 +65,7 @@ pub(crate) fn rewrite(model: &mut Model, name: &Ident, errors: &mut Errors) {
         errors.push(name.span(), message);
     }
     // a field that stands in damping alone is used all the same
-    let uses = removed.into_iter().map(|value| use_of(&value, name.span()));
-    model.lets.extend(uses);
+    model.lets.extend(removed.iter().filter_map(|value| use_of(value, name.span())));
 }
 
 /// Takes away what damps in an element. The freedoms that it held by damping alone, and the values that are used no more.
@@ -111,11 +111,8 @@ fn field_expression(name: &Ident) -> Expr {
 }
 
 /// `let _: f64 = value;`
-fn use_of(value: &Expr, span: Span) -> Local {
-    match parse_quote_spanned!(span=> let _: ::core::primitive::f64 = #value;) {
-        Stmt::Local(line) => line,
-        other => unreachable!("a `let` line is {}", other.to_token_stream()),
-    }
+fn use_of(value: &Expr, span: Span) -> Option<Local> {
+    let_line(quote_spanned!(span=> let _: ::core::primitive::f64 = #value;))
 }
 
 /// The method that leads from one model to the other.

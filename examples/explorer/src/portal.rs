@@ -171,7 +171,7 @@ impl Explored for Portal {
 
     fn show(&self, shown: &Shown) -> Result<(), Problem> {
         let system = self.build()?;
-        // the response has the pole beyond those that are shown, too
+        // the page draws the response, which has one more pole in its range than the list has frequencies
         let roots = system.first_frequencies::<{ MODES + 1 }>()?;
         let (roots, next) = roots.split_at(MODES.min(roots.len()));
         shown.take_frequencies(roots)?;

@@ -25,9 +25,9 @@ pub struct Shown {
     pub response: Table<6144>,
     /// The response of the same system without what the sliders are about.
     pub bare: Table<6144>,
-    /// The poles of the first response near its frequencies, each as often as it is one [1/s].
+    /// The poles of the first response near its frequencies [1/s]. A pole of multiplicity m stands m times.
     pub poles: Table<32>,
-    /// Those of the second one.
+    /// The poles of the response without the sliders' parts [1/s].
     pub bare_poles: Table<32>,
 }
 

@@ -6,7 +6,7 @@ use crate::model::{Ends, Extent, FrequencyEstimates};
 use crate::number::{Real, Scalar};
 use mstmm_plan::Space;
 
-/// Parameters that an element of a list may have: the derivatives of a root stand in so many places per step.
+/// The largest number of parameters of an element of a list, that of a tapered beam. A plan has this number of places for the derivatives of each step.
 pub const MOST_PARAMETERS: usize = 12;
 
 /// An element of a list, of any type.

@@ -67,7 +67,7 @@ impl<T: Parameter> Element for Beam<T> {
         Requirement::Positive.check("length", length)?;
         Requirement::Positive.check("bending_stiffness", bending_stiffness)?;
         Requirement::NonNegative.check("mass_per_length", mass_per_length)?;
-        // without mass there are no waves, and their units are those of any
+        // a beam without mass has no waves: nothing uses the units of its waves, which only have to be finite
         let is_massless = mass_per_length.vanishes();
         let of_waves = T::select(is_massless, bending_stiffness, mass_per_length);
         let square = (of_waves / bending_stiffness).sqrt();

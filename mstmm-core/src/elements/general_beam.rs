@@ -105,7 +105,9 @@ impl<T: Parameter> BuiltGeneralBeam<T> {
     /// The extent of a shaft: a solid one has `ρI = ρA r²/4`.
     fn extent_of_shaft(&self) -> Extent {
         let BeamParameters { mass_per_length, rotary_inertia, .. } = self.parameters;
-        self.extent().of_radius(2.0 * Scalar::sqrt((rotary_inertia / mass_per_length).to_f64()))
+        let square = (rotary_inertia / mass_per_length).to_f64();
+        // a shaft without mass tells no radius
+        self.extent().of_radius(if square.is_finite() { 2.0 * Scalar::sqrt(square) } else { 0.0 })
     }
 
     fn transfer_matrix<S: Frequency<T> + Single>(&self, x: S) -> Matrix4<S> {

@@ -53,7 +53,7 @@ impl<M> PlaneLoad<M> {
         is_there.then(|| (freedom(axis), if is_inertia { -1.0 } else { 1.0 }))
     }
 
-    /// Whether the load acts on masses, so that it is so many m/s² and not N/m.
+    /// Whether the load is an acceleration [m/s²] of all masses, and no force per length [N/m].
     pub fn is_acceleration(self) -> bool {
         matches!(self.acting, PlaneActing::Spread(SpreadLoad { member: None, .. }))
     }
@@ -94,7 +94,7 @@ impl<M> Load<M> {
         }
     }
 
-    /// Whether the load acts on masses, so that it is so many m/s² and not N/m.
+    /// Whether the load is an acceleration [m/s²] of all masses, and no force per length [N/m].
     pub fn is_acceleration(self) -> bool {
         matches!(self.acting, Acting::Spread(Spread::Weight | Spread::Inertia(_)))
     }

@@ -1,7 +1,7 @@
 //! The proof of natural frequencies of undamped systems.
 //!
 //! `J(ω)` is the number of frequencies below ω, with multiplicity; motions that grow, of ω² < 0, are among them. A [run](count) gives a bound
-//! of J: at most so many, or at least so many. All rounding is in the bound. The page `docs/guide/certificates.md` lists what has to be right
+//! of J from above or from below. All rounding is in the bound. The page `docs/guide/certificates.md` lists what has to be right
 //! for it: the arithmetic, IEEE 754 with rounding to nearest, the numbers of the model, which [`visit`] names, and more.
 //!
 //! `neg(A)` is the number of negative eigenvalues of a symmetric matrix A. `A >= B` says that `A - B` has none. Then `neg(A) <= neg(B)`.

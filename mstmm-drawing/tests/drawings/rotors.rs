@@ -33,6 +33,19 @@ fn height(document: &Document<'_>, name: &str) -> f64 {
 }
 
 #[test]
+fn a_shaft_without_mass_is_drawn() {
+    system! {
+        /// A coupling without mass before a shaft.
+        struct Coupled { speed: f64 }
+        section s { bending_stiffness: 6e4, rotary_inertia: 0.0, polar_inertia_per_length: 0.0, speed }
+        fixed -> beam 1 { ..s, length: 0.2, mass_per_length: 0.0 } -> beam 2 { ..s, length: 0.6, mass_per_length: 15.0 } -> free;
+    }
+    let rotor = Coupled { speed: 100.0 }.build().unwrap();
+    let svg = Drawing::of(rotor.whirl(Whirl::Forward)).unwrap().to_string();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+}
+
+#[test]
 fn shafts_and_discs_have_their_diameters() {
     let rotor = Stepped { speed: 100.0 }.build().unwrap();
     let svg = Drawing::of(rotor.whirl(Whirl::Forward)).unwrap().to_string();

@@ -150,7 +150,7 @@ fn charts_of_short_waves_keep_all_digits() {
         let at = FrequencyPowers::new::<f64>(omega, true);
         let chart: Chart<f64> = InPlane::<Beam<f64>>::chart(&built, &at, across.length);
         assert_eq!((chart.forces, chart.below), (exact.forces, exact.below), "{omega}");
-        // an inertia that is rounding beside stiffnesses is none in the units of f64, and still one in those of more digits
+        // an inertia below the rounding of a stiffness in f64 enters the units of the longer number alone
         if omega * omega * 2.1 * 1.3_f64.powi(4) / 0.7 < f64::EPSILON {
             continue;
         }

@@ -55,8 +55,8 @@ pub struct DrawnMember<M, T> {
     pub freedoms: Freedoms,
     /// Its own axes x, y and z, of length 1 each; none of what acts along one axis of space alone, and where there is no direction.
     pub axes: Option<[[T; 3]; 3]>,
-    /// Its bending stiffness EI [N m²], as far as it is known in numbers: of a tapered beam at its input end, in space the larger one. Zero of what
-    /// does not bend.
+    /// Its bending stiffness EI [N m²]: of a tapered beam the value at its input end, in space the larger of both. An element that does not bend
+    /// has zero.
     pub bending_stiffness: f64,
     /// Its input end and its output end.
     pub ends: [DrawnEnd<M, T>; 2],

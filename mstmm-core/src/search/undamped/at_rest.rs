@@ -36,17 +36,7 @@ impl<T: Real> Certification<'_, T> {
         let least = T::one().times_power_of_two(self.estimates.least_exponent());
         let next = next.unwrap_or(least);
         let [low, high] = if next < least { [next, least] } else { [least, next] };
-        for part in AT_REST {
-            let omega = low * T::from_f64(part);
-            if let Some(count) = self.resting_below(omega) {
-                return (count > 0).then_some((count, omega));
-            }
-        }
-        let decided = |part| {
-            let omega = high * T::from_f64(part);
-            Some((self.resting_below(omega)?, omega))
-        };
-        let (mut count, mut upper) = AT_REST.into_iter().find_map(decided)?;
+        let (mut count, mut upper) = self.resting_beside(low).or_else(|| self.resting_beside(high))?;
         while upper > low {
             let below = upper * T::from_f64(AT_REST[2]);
             match self.resting_below(below) {
@@ -55,6 +45,12 @@ impl<T: Real> Certification<'_, T> {
             }
         }
         (count > 0).then_some((count, upper))
+    }
+
+    /// The number of frequencies at rest beside a scale, and the least part of the scale at which it is decided.
+    fn resting_beside(&mut self, scale: T) -> Option<(u64, T)> {
+        let parts = AT_REST.map(|part| scale * T::from_f64(part));
+        parts.into_iter().find_map(|omega| Some((self.resting_below(omega)?, omega)))
     }
 
     /// The number of frequencies with `-ω² <= square < ω²` at a frequency ω, if none is below; none where rounding decides it.

@@ -19,7 +19,8 @@ const ROOTS_PER_WINDOW: f64 = 6.0;
 /// Roots by which a window reaches beyond those that are wanted, since supports and masses move them by about one.
 pub(super) const BEYOND: f64 = 0.75;
 
-/// How far the frequencies of waves may be above the lowest estimate: a bracket of a window is halved some ten times, in the root of the frequency.
+/// The largest ratio of the first frequency of waves to the lowest estimate. It is 2²⁰: ten halvings of a bracket, which are halvings of the root of the frequency, span it. Beyond it the search from root to
+/// root proposes. No result depends on it.
 const WIDEST: f64 = 1e6;
 
 /// Samples of a window at most, with those that are taken between others of several roots.
